@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,7 @@ from rotsolve.confirm.pose import Pose, Way, load, turned
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.seating import put, where
 from rotsolve.confirm.signs import GROUND, RIGHT, normal
+from rotsolve.elements.at_once import AtOnce
 from rotsolve.elements.collisions import Bounces, Collides
 from rotsolve.elements.events import Cuts, Fixes, Grips, Impulse, Joins, Leaves, Removes
 from rotsolve.language.bodies import PointRef
@@ -28,6 +29,10 @@ from rotsolve.language.elements import Event
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+
+
+ACROSS = ("impulse", "normal")  # kinds of the rows of what bounces, along the line on which it comes together
+RESTS = 1e-9  # share of the largest rate below which nothing comes together
 
 
 class Struck(Struct, frozen=True):
@@ -38,6 +43,7 @@ class Struck(Struct, frozen=True):
     columns: Mapping[tuple[str, str], Slope]
     open: frozenset[tuple[str, str]]
     clash: float
+    loads: Mapping[str, Slope] = {}  # impulses of a size that was told, by owner
 
 
 class Blowing(Struct, frozen=True):
@@ -61,12 +67,25 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
     for trial in product(*(blow_modes(grip, pose, held) for grip in grips)):
         modes = {grip.name: mode for grip, mode in zip(grips, trial, strict=True)}
         found = without_pulls(model, at, aims, gripped, hit.loads, modes)
-        if all(lasts(grip, found, at) for grip in grips if grip.name not in held):
+        fits = all(lasts(grip, found, at) for grip in grips if grip.name not in held)
+        if fits and all(goes_on(grip, (model, at, aims, gripped, hit.loads), found) for grip in hit.grips):
             rates = [old + change for old, change in zip(at.speed, found.rates, strict=True)]
+            check_energy(model, hit, at.speed, rates)
             after = replace(at, speed=rates, open=found.open_rates | untouched(at, found), clash=0.0)
             check_lifted(model, after, event)
-            return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash)
+            return Struck(after, found.reactions, found.columns, found.open_reactions, found.clash, hit.loads)
     raise NotConfirmed(f"no way to stick and slip through `{event.name}` fits")
+
+
+def check_energy(model: Known, hit: Blowing, before: Sequence[float], after: Sequence[float]) -> None:
+    """NotConfirmed where a rough blow gives energy, as a restitution that is told may ask of it."""
+    if hit.grips and not hit.loads:
+        old, new = (
+            sum([mass * rate * rate for mass, rate in zip(model.masses, rates, strict=True)])
+            for rates in (before, after)
+        )
+        if new > old * (1 + 1e-9):
+            raise NotConfirmed("the blow would give energy")
 
 
 def check_lifted(model: Known, after: Placed, event: Event) -> None:
@@ -122,16 +141,43 @@ def lasts(grip: Grip, found: Dynamics, at: Placed) -> bool:
     return after >= -1e-12 if mode == FORWARD else after <= 1e-12
 
 
+def goes_on(
+    grip: Grip, struck_by: tuple[Known, Placed, list[Row], list[Grip], Mapping[str, Slope]], found: Dynamics
+) -> bool:
+    """Whether a rough blow ends as it goes on, the slip by ever more push (Routh): what slipped slips on or stops, and what has stopped
+    sticks only where as much friction as there can be would drive it back from either side."""
+    mode, at = found.modes[grip.name], struck_by[1]
+    slip = slip_speed(grip, at.speed)
+    if grip.static is None or grip.normal is None:
+        return True
+    if mode != STICKS:
+        started = abs(slip) <= RESTS * max(map(abs, at.speed)) or (slip > 0.0) == (mode == FORWARD)
+        return started and found.reactions.get(grip.normal, 0.0) > 0.0
+    gains = []
+    for way in (FORWARD, BACK):
+        other = without_pulls(*struck_by, {**found.modes, grip.name: way}, pulls=True)
+        gains.append(slip_speed(grip, other.rates) * other.reactions[grip.normal])
+    least = 1e-9 * max(map(abs, gains))
+    return gains[0] <= least and gains[1] >= -least
+
+
 def without_pulls(
-    model: Known, at: Placed, rows: list[Row], grips: list[Grip], loads: Mapping[str, Slope], modes: dict[str, str]
+    model: Known,
+    at: Placed,
+    rows: list[Row],
+    grips: list[Grip],
+    loads: Mapping[str, Slope],
+    modes: dict[str, str],
+    *,
+    pulls: bool = False,
 ) -> Dynamics:
-    """The change of the rates, where what can only push or pull lets go rather than do the opposite."""
+    """The change of the rates, where what can only push or pull lets go rather than do the opposite, if it may not."""
     rows = list(rows)
     while True:
         found = balanced(model, at, rows, grips, loads, modes)
         size = max([abs(value) for value in found.reactions.values()], default=0.0)
         wrong = [row for row in rows if row.push and found.reactions[row.key] < -1e-9 * size]
-        if not wrong:
+        if pulls or not wrong:
             return found
         worst = min(wrong, key=lambda row: found.reactions[row.key])
         rows.remove(worst)
@@ -194,6 +240,28 @@ def collides(event: Collides, pose: Pose, model: Known) -> Blowing:
     return Blowing((Row(event.name, "impulse", slope, -model.value(event.restitution) * now, 0.0, slope),))
 
 
+def several_at_once(event: AtOnce, pose: Pose, model: Known) -> Blowing:
+    """Several blows, each of which comes together and pushes."""
+    parts = [HITS.get(type(item), unheard)(item, pose, model) for item in event.parts]
+    rows = [
+        replace(row, push=True) if row.kind in ACROSS else row for part in parts for row in coming_together(part, pose)
+    ]
+    loads = {owner: slope for part in parts for owner, slope in part.loads.items()}
+    return Blowing(tuple(rows), loads, tuple(grip for part in parts for grip in part.grips))
+
+
+def coming_together(part: Blowing, pose: Pose) -> Iterator[Row]:
+    """The rows of one of several blows, those of a push in the sense in which it comes together."""
+    for row in part.rows:
+        now = sum([share * pose.speed[index] for index, share in row.column.items()])
+        if row.kind in ACROSS and abs(now) <= RESTS * max(map(abs, pose.speed), default=0.0):
+            raise NotConfirmed(f"what meets in `{row.owner}` rests against each other: no restitution tells its push")
+        turn = -1.0 if row.kind in ACROSS and now > 0.0 else 1.0
+        speed = None if row.speed is None else turn * row.speed
+        slopes = [{index: turn * share for index, share in slope.items()} for slope in (row.slope, row.column)]
+        yield replace(row, slope=slopes[0], speed=speed, column=slopes[1])
+
+
 def bounces(event: Bounces, pose: Pose, model: Known) -> Blowing:
     """Off a flat surface, across it and along it; off something fixed along the line on which the point comes."""
     ref, name = event.struck, event.struck.owner
@@ -252,4 +320,5 @@ HITS: dict[type[Event], Callable[[Any, Pose, Known], Blowing]] = {
     Impulse: impulse,
     Collides: collides,
     Bounces: bounces,
+    AtOnce: several_at_once,
 }

@@ -210,12 +210,13 @@ class Rule(Struct, frozen=True):
 
 class Need(Struct, frozen=True):
     """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N; `placed` where it is about places or
-    speeds, which change though all forces stay; `closed` where it is met on its edge as well."""
+    speeds, which change though all forces stay; `closed` where it is met on its edge as well, `strict` where that is another scene."""
 
     name: str
     grips: bool = False
     placed: bool = False
     closed: bool = False
+    strict: bool = False
 
 
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
@@ -224,6 +225,9 @@ APART = Need("apart", placed=True)  # of bodies that have met
 GAINS = Need("gains", placed=True)  # no blow gives energy
 COMES = Need("comes", placed=True)  # what strikes a surface, towards it
 IN_FRONT = Need("in front", placed=True, closed=True)  # what has struck a surface, of that
+MEETS = Need("meets", placed=True, strict=True)  # of several blows at once each: something comes together
+PUSHES = Need("pushes")  # of several blows at once each, and of a rough one
+TURNS = Need("turns", closed=True)  # the slip of what friction turns too, in a blow, back
 SLIDES = Need("slides", placed=True, closed=True)  # what slips through a blow, on the same way
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull

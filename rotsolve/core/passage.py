@@ -96,6 +96,20 @@ class Meeting(Struct, frozen=True):
         return (*self.blows, *self.twists)
 
 
+class Approach(Struct, frozen=True):
+    """Two that meet and do not stay together: the event, the bodies, how fast they come together before and part after; `told` by an e."""
+
+    event: str
+    pair: tuple[str, ...]
+    approach: Formula
+    parting: Formula
+    told: bool
+
+    @property
+    def speeds(self) -> tuple[Formula, Formula]:
+        return self.approach, self.parting
+
+
 class Encounter(Struct, frozen=True):
     """An event: the bodies that take part, all that is tied to them among them.
 
@@ -108,15 +122,16 @@ class Encounter(Struct, frozen=True):
     meetings: tuple[Meeting, ...]
     about: str
     requirements: tuple[Requirement, ...] = ()
-    restitution: tuple[Formula, Formula, Formula] | None = None  # e, approach speed, separation speed
-    closing: tuple[Formula, Formula] | None = None  # approach speed, separation speed of two that do not stay together
+    bounces: tuple[tuple[Formula, Formula, Formula], ...] = ()  # e, approach speed, separation speed
+    closings: tuple[Approach, ...] = ()
     rules: tuple[Rule, ...] = ()  # of what sticks through the event, though it slips from then on
     joined: tuple[tuple[frozenset[str], BodyFacts], ...] = ()  # who turns about the common point as one body afterwards
     armless: str = ""  # why what acts at the common point does not turn them
+    givers: tuple[str, ...] = ()  # the events that it is, several at once
 
     def gives(self, impulse: Force | Couple) -> bool:
         """Whether an impulse is the event's own, from outside the scene."""
-        return impulse.owner == self.name and not impulse.internal
+        return impulse.owner in self.givers and not impulse.internal
 
 
 class Alteration(Struct, frozen=True):

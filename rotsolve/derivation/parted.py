@@ -8,13 +8,13 @@ from collections.abc import Iterator, Sequence
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, negate
 from rotsolve.core.facts import APART, GAINS, IN_FRONT, LIFTS, Requirement, square
+from rotsolve.core.passage import Approach
 from rotsolve.core.symbols import CONSTANT
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, heading
 from rotsolve.core.writing import spoken
 from rotsolve.elements.collisions import FIXED
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef
-from rotsolve.motion.encounters import participants
 from rotsolve.motion.places import gone_along, place_of_point
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
@@ -25,37 +25,41 @@ def partings(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
 
     Bodies that did not come towards each other may be driven apart: by a charge, or a spring that is let go.
     """
-    for name, encounter in search.scene.encounters.items():
-        interval = search.scene.configuration.timeline.interval(name)
-        pair = meeting_bodies(interval, search)
-        if interval is None or encounter.closing is None or len(pair) != 2:
-            continue
-        closing = search.apart().settled(encounter.closing[0])
-        ahead = search.numbers.side(search.numbers.with_answers(closing)) if closing is not None else None
+    for interval, closing in pairs_that_meet(search):
+        came = search.apart().settled(closing.approach)
+        ahead = search.numbers.side(search.numbers.with_answers(came)) if came is not None else None
         if not ahead:
             continue
-        if encounter.restitution is None:
-            yield name, tuple(speeds_apart(name, pair, (encounter.closing, ahead), interval, search))
+        name, pair = interval.name, closing.pair
+        if not closing.told:
+            yield name, tuple(speeds_apart(name, pair, (closing.speeds, ahead), interval, search))
         for state, space in ways_apart(pair, interval, search):
-            left = space * (ahead if keeps_order(pair, encounter.closing, ahead, interval, search) else -ahead)
+            left = space * (ahead if keeps_order(pair, closing.speeds, ahead, interval, search) else -ahead)
             words = both_spoken(pair)
             yield state, (Requirement(name, APART, left, ZERO, f"{words} stay apart", f"{words} meet again before"),)
+
+
+def pairs_that_meet(search: Search) -> Iterator[tuple[Interval, Approach]]:
+    """Two bodies that come together in an event and part again, with the event."""
+    for name, encounter in search.scene.encounters.items():
+        interval = search.scene.configuration.timeline.interval(name)
+        pairs = [closing for closing in encounter.closings if len(set(closing.pair)) == 2]
+        yield from ((interval, closing) for closing in pairs if interval is not None)
 
 
 def kept_in_front(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
     """What has bounced off something obeys up to its next blow on that, by state: Δr · n ≥ 0, and = 0 at that blow."""
     timeline = search.scene.configuration.timeline
-    for blow in timeline.intervals:
-        ref, name, out = barrier_of(blow, search) or (None, "", None)
-        way = out_of(name, blow, search) if out is not None else None
+    for blow, event, (ref, name, out) in barriers(timeline.intervals, search):
+        way = out_of(name, blow, event, search) if out is not None else None
         gap: Formula = ZERO
         for interval in timeline.intervals[timeline.order[blow.end] :] if way else ():
-            gone = way_towards(ref.owner, out, interval, search) if ref and out and interval.event is None else ZERO
-            if gone is None or ref is None or way is None:
+            gone = way_towards(ref.owner, out, interval, search) if out and interval.event is None else ZERO
+            if gone is None or way is None:
                 break
             gap = gap + gone * way
             after = timeline.after(interval.end)
-            again = after is not None and (barrier_of(after, search) or (None, ""))[:2] == (ref, name)
+            again = any(found[:2] == (ref, name) for _, _, found in barriers((after,) if after else (), search))
             yield from needs_in_front(blow, interval, (spoken(ref.owner), spoken(name)), simplify(gap), again)
             if again:
                 break
@@ -73,10 +77,10 @@ def needs_in_front(
         yield interval.end, (Requirement(blow.name, IN_FRONT, negate(gap), ZERO, "", f"{words} are apart at"),)
 
 
-def out_of(name: str, blow: Interval, search: Search) -> int | None:
+def out_of(name: str, blow: Interval, event: str, search: Search) -> int | None:
     """+1 where what strikes comes against the direction out of it, as it does of a surface; −1 where it comes along that."""
-    closing = search.scene.encounters[blow.name].closing
-    ahead = search.apart().settled(closing[0]) if closing is not None and name in FIXED else ONE
+    closing = next(item for item in search.scene.encounters[blow.name].closings if item.event == event)
+    ahead = search.apart().settled(closing.approach) if name in FIXED else ONE
     return None if ahead is None else search.numbers.side(search.numbers.with_answers(ahead))
 
 
@@ -104,9 +108,15 @@ def within_hollows(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...
                 yield interval.end, (Requirement(leaving.name, IN_FRONT, left, ZERO, "", words),)
 
 
-def barrier_of(interval: Interval, search: Search) -> tuple[PointRef, str, Heading | None] | None:
-    """The body that stays in front of what it strikes in an event, with what that is and the way out of it."""
-    return None if interval.event is None else interval.event.barrier(search.scene.instant(interval.start))
+def barriers(
+    intervals: Sequence[Interval], search: Search
+) -> Iterator[tuple[Interval, str, tuple[PointRef, str, Heading | None]]]:
+    """By event: the body that stays in front of what it strikes, with what that is and the way out of it."""
+    for interval in intervals:
+        for event in interval.event.each() if interval.event is not None else ():
+            found = event.barrier(search.scene.instant(interval.start))
+            if found is not None:
+                yield interval, event.name, found
 
 
 def way_towards(name: str, out: Heading, interval: Interval, search: Search) -> Formula | None:
@@ -160,10 +170,11 @@ def keeps_order(
     return parting is None or search.numbers.side(search.numbers.with_answers(parting)) != -ahead
 
 
-def meeting_bodies(interval: Interval | None, search: Search) -> tuple[str, ...]:
-    """The bodies that take part in an event."""
-    points = participants(interval, search.scene.configuration) if interval is not None else ()
-    return tuple(ref.owner for ref in points)
+def met_by(interval: Interval | None, pair: tuple[str, ...], search: Search) -> bool:
+    """Whether two bodies meet in an event."""
+    events = interval.event.each() if interval is not None and interval.event is not None else ()
+    connections = search.scene.configuration.problem.connections
+    return any({ref.owner for ref in event.points(connections)} == set(pair) for event in events)
 
 
 def ways_apart(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterator[tuple[str, Formula]]:
@@ -175,7 +186,7 @@ def ways_apart(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterato
     if one is None or two is None or (two - one).sin() != ZERO:
         return
     for interval in timeline.intervals[timeline.order[blow.end] :]:
-        again = set(meeting_bodies(timeline.after(interval.end), search)) == set(pair)
+        again = met_by(timeline.after(interval.end), pair, search)
         if interval.event is None:
             ways = [way_in(name, interval, search) for name in pair]
             if ways[0] is None or ways[1] is None:
@@ -190,25 +201,20 @@ def ways_apart(pair: tuple[str, ...], blow: Interval, search: Search) -> Iterato
 def untold_barriers(search: Search) -> Iterator[str]:
     """Whether what has bounced off something with an end or a corner meets it again before a state that is asked about."""
     timeline = search.scene.configuration.timeline
-    for blow in timeline.intervals:
-        found = barrier_of(blow, search)
+    for blow, _, (ref, name, out) in barriers(timeline.intervals, search):
         onward = timeline.intervals[timeline.order[blow.end] :]
         later = [interval.end for interval in onward if interval.event is None and asked_of(interval.end, search)]
-        if found is not None and found[2] is None and later:
-            yield f"whether {spoken(found[0].owner)} and {spoken(found[1])} meet again before {spoken(later[-1])}"
+        if out is None and later:
+            yield f"whether {spoken(ref.owner)} and {spoken(name)} meet again before {spoken(later[-1])}"
 
 
 def untold_meetings(search: Search) -> Iterator[str]:
     """Whether two that have bounced off each other meet again before a later state that is asked about, where nothing looks at that: along
     a line the laws do, off a rod the assembly, in numbers; what turns otherwise may come round to the other."""
-    scene, timeline = search.scene, search.scene.configuration.timeline
-    for name, encounter in scene.encounters.items():
-        blow = timeline.interval(name)
-        pair = meeting_bodies(blow, search)
-        if blow is None or encounter.closing is None or len(set(pair)) != 2:
-            continue
-        onward = timeline.intervals[timeline.order[blow.end] :]
-        again = any(set(meeting_bodies(interval, search)) == set(pair) for interval in onward if interval.event)
+    timeline = search.scene.configuration.timeline
+    for blow, closing in pairs_that_meet(search):
+        pair, onward = closing.pair, timeline.intervals[timeline.order[blow.end] :]
+        again = any(met_by(interval, pair, search) for interval in onward)
         later = [interval.end for interval in onward if interval.event is None and asked_of(interval.end, search)]
         if not later or again:
             continue

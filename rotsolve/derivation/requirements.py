@@ -171,7 +171,7 @@ def requirements_by_state(
         from rotsolve.derivation.swung import far_ends
 
         yield from far_ends(search)
-    if any(encounter.closing is not None for encounter in scene.encounters.values()):
+    if any(encounter.closings for encounter in scene.encounters.values()):
         from rotsolve.derivation.parted import kept_in_front, partings
 
         yield from partings(search)
@@ -232,23 +232,25 @@ def let_go(search: Search) -> Iterator[Unsolvable]:
     for name, encounter in search.scene.encounters.items():
         for need in encounter.requirements:
             met = concerns(need.owner, search) or asked_after(need, name, search)
-            if met and negative_margin(need.left - need.right, search):
+            if met and negative_margin(need.left - need.right, search, strict=need.kind.strict):
                 interval = configuration.timeline.interval(name)
                 span = configuration.timeline.state(interval.end).span if interval is not None else None
-                if need.kind.placed:  # there is no such blow
+                if need.kind.placed and not need.kind.strict:  # there is no such blow
                     yield unsolvable(configuration.problem, f"{need.otherwise} `{name}`", span)
                 else:
                     message = f"in `{name}` {need.otherwise}: what `{need.owner}` does then is not solved yet"
                     yield unsolvable(configuration.problem, message, span, kind=UNSOLVED)
 
 
-def negative_margin(gap: Formula, search: Search) -> bool:
-    """Whether a margin is negative: by the numbers of the scene or for all sizes of its letters, else in the case looked at."""
+def negative_margin(gap: Formula, search: Search, *, strict: bool = False) -> bool:
+    """Whether a margin is negative, or nothing where it is `strict`: by the numbers of the scene or for all sizes of its letters, else in
+    the case looked at."""
+    refused = (-1, 0) if strict else (-1,)
     number = search.apart().certified(gap)
     if number is not None:
-        return number.sign == -1
+        return number.sign in refused
     settled = search.apart().settled(gap)
-    return settled is not None and search.signs.taken(settled) == -1
+    return settled is not None and search.signs.taken(settled) in refused
 
 
 def concerns(owner: str, search: Search) -> bool:

@@ -5,13 +5,28 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import ClassVar
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.facts import COMES, CONTACT, GAINS, SLIDES, BodyFacts, Force, Requirement, Rule, enough, signed
+from rotsolve.core.facts import (
+    COMES,
+    CONTACT,
+    GAINS,
+    PUSHES,
+    SLIDES,
+    TURNS,
+    BodyFacts,
+    Force,
+    Requirement,
+    Rule,
+    enough,
+    signed,
+)
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, NOWHERE, RIGHT, Heading, Vector, unit
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import is_negative, spoken
 from rotsolve.elements.connections.touch import Friction, contact_arm
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.elements.surfaces import Level
@@ -30,6 +45,11 @@ def whereabouts(ref: PointRef) -> Words:
     if ref.argument is not None:
         return (f"the point of {spoken(ref.owner)} at ", ref.argument)
     return (spoken(ref.owner) if ref.point is None else called(ref),)
+
+
+def centre_instead(ref: PointRef) -> PointRef:
+    """The centre of mass of a body of which a point is named; of one named alone that body."""
+    return ref if ref.point is None else PointRef(ref.owner, "cm")
 
 
 class Overhead(Level, frozen=True):
@@ -51,8 +71,9 @@ class Collides(Event, frozen=True):
     word = "collides"
     bodily = True
     about = "two bodies bounce off each other"
+    blow = True
     heats = True
-    quantities = ("impulse", "angular_impulse")
+    quantities = ("impulse", "angular_impulse", "work")
     instead = (
         "a blow off something fixed: `impulse: J, on: BODY.P, direction: z` with `J: unknown` under `given`, and"
         " `BODY.P.velocity.z: e*u` in the state after it"
@@ -96,6 +117,12 @@ class Collides(Event, frozen=True):
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return self.collides
 
+    def met(self) -> tuple[str, ...]:
+        return tuple(ref.owner for ref in self.collides)
+
+    def of_centres(self) -> Collides:
+        return replace(self, collides=tuple(map(centre_instead, self.collides)))
+
     def told(self) -> Words:
         bounce: Words = () if self.restitution is None else (", coefficient of restitution ", self.restitution)
         one, other = map(whereabouts, self.collides)
@@ -120,6 +147,10 @@ class Collides(Event, frozen=True):
             raise Unsolvable(message, span=self.collides[0].span, help=help)
         return line
 
+    def push(self, instant: Moment) -> Formula:
+        """The impulse along that line, on the last-named."""
+        return instant.ask("impulse", self.name)
+
     def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula]:
         """Along the line of approach."""
         line, (one, two) = self.approach(before), self.collides
@@ -139,6 +170,10 @@ class Bounces(Collides, frozen=True):
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return (self.struck,)
+
+    def of_centres(self) -> Collides:
+        against, own = centre_instead(self.against), centre_instead(self.struck)
+        return replace(self, collides=(own, against), struck=own)
 
     def told(self) -> Words:
         """In words: "ball bounces off floor, coefficient of restitution e, friction μ"."""
@@ -191,24 +226,35 @@ class Bounces(Collides, frozen=True):
                 message = f"`{item.name}` holds `{body.name}` on `{name}`, off which `{self.name}` lets it bounce"
                 raise Unsolvable(message, span=self.against.span, help=f"leave `{item.name}` out")
 
-    def check_freedom(self, instant: Moment) -> None:
-        """Friction is solved in a blow through the centre of mass of what flies freely: the push across does not turn it then."""
+    def coupled(self, instant: Moment) -> bool:
+        """Whether the push also moves the touching point along the surface: it turns the body about another point, or a joint holds it."""
         name = instant.host(self.struck.owner)
-        states = (self.from_ or "", self.to or "")
-        held = [item for state in states for item in instant.configuration.connections(state)]
-        tied = any(
-            instant.host(ref.owner) == name for item in held for ref in item.touches() if self.known(ref, instant)
-        )
-        central = self.surface is not None and is_zero(self.spot(self.struck, instant).along(self.forward))
-        if tied or instant.motion(name).kind != "plane" or not central:
-            message = f"friction of `{self.name}`, whose push turns `{name}`, or which something else holds, is not solved yet"
-            help = (
-                f"solved are round bodies that fly freely, without `moves`; `fixes: {name}.end` holds a point for good"
-            )
-            raise Unsolvable(message, span=self.struck.span, help=help)
+        central = is_zero(self.spot(self.struck, instant).along(self.forward))
+        return bool(self.holding(instant)) or instant.motion(name).kind != "plane" or not central
 
-    def known(self, ref: PointRef, instant: Moment) -> bool:
-        return ref.owner in instant.configuration.bodies
+    def holding(self, instant: Moment) -> list[Connection]:
+        """The connections of the body and of all that moves with it, before the blow and after."""
+        name, states = self.struck.owner, (self.from_ or "", self.to or "")
+        group = {host for state in states for host in instant.configuration.component(name, state)}
+        held = (item for state in states for item in instant.configuration.connections(state))
+        bodies = instant.configuration.bodies
+        return [
+            item
+            for item in held
+            if any(ref.owner in bodies and instant.host(ref.owner) in group for ref in item.touches())
+        ]
+
+    def check_freedom(self, instant: Moment) -> None:
+        """Friction is solved of what flies freely, or on hinges and axles; what lies on something else or is led along a line is not."""
+        name = instant.host(self.struck.owner)
+        other = [
+            item.name for item in self.holding(instant) if not (item.joint() or item.fixed_points() or item.joined())
+        ]
+        if other or instant.motion(name).kind == "line":
+            by = f"`{other[0]}` holds" if other else "is led along a line"
+            message = f"friction of `{self.name}` on `{name}`, which {by}, is not solved yet"
+            help = "solved is what flies freely, without `moves`, or hangs on hinges and axles; a smooth blow"
+            raise Unsolvable(message, span=self.struck.span, help=help)
 
     @property
     def forward(self) -> Heading:
@@ -216,16 +262,26 @@ class Bounces(Collides, frozen=True):
         return RIGHT if self.surface is None else self.surface.normal.turned(-90)
 
     def approach(self, instant: Moment) -> Heading:
-        """Into the surface; against something fixed the line of its motion."""
-        return super().approach(instant) if self.surface is None else self.surface.normal.turned(180)
+        """Into the surface; against something fixed the way in which it comes, as the scene writes its speed: −v up is v down."""
+        if self.surface is not None:
+            return self.surface.normal.turned(180)
+        line = super().approach(instant)
+        return line.turned(180) if is_negative(self.rate(instant, line)) else line
 
     def spot(self, ref: PointRef, instant: Moment) -> Vector:
         """Where the body touches the surface: a rim towards it, or the point that is named."""
         return instant.point(ref) if self.surface is None else contact_arm(ref, self.surface.normal, instant)
 
+    def slip(self, instant: Moment) -> Formula:
+        return self.rate(instant, self.forward)
+
     def rate(self, instant: Moment, way: Heading) -> Formula:
         """How fast the touching point moves in a direction."""
         return instant.motion(self.struck.owner).velocity_of(self.spot(self.struck, instant)).along(way)
+
+    def push(self, instant: Moment) -> Formula:
+        """The impulse out of what it strikes."""
+        return instant.ask("impulse", self.name, component="n" if self.grips else "")
 
     def closing(self, before: Moment, after: Moment) -> tuple[Formula, Formula]:
         line = self.approach(before)
@@ -240,7 +296,7 @@ class Bounces(Collides, frozen=True):
     def blows(self, ref: PointRef, body: BodyFacts, instant: Moment) -> Iterator[Force]:
         """The push of the surface, and friction along it: as large as it takes, or μ times the push against the slip."""
         away, arm = self.approach(instant).turned(180), self.spot(ref, instant)
-        push = instant.ask("impulse", self.name, component="n" if self.grips else "")
+        push = self.push(instant)
         yield Force(self.name, CONTACT, body.name, push, unit(away), arm, "blow", internal=True)
         if not self.grips:
             return
@@ -273,7 +329,7 @@ class Bounces(Collides, frozen=True):
         turning = self.spot(self.struck, after).turned(90).times(motion.spin).along(self.forward)
         sides, label = (motion.velocity.along(self.forward), negate(turning)), f"{body} grips the {on} as it leaves"
         if self.tangential is not None and self.tangential != ZERO:
-            slips = self.rate(after, self.forward), negate(self.tangential * self.rate(before, self.forward))
+            slips = self.slip(after), negate(self.tangential * self.slip(before))
             sides, label = slips, f"the touching point of {body} comes back along the {on}"
         yield Rule(self.name, label, (name,), sides, None, linear=False)
 
@@ -288,12 +344,24 @@ class Bounces(Collides, frozen=True):
             faster, into = f"{body} leaves the {on} faster than it came", f"{body} goes into the {on}"
             yield Requirement(self.name, GAINS, came - went, ZERO, "", f"{faster}: no blow gives energy, in")
             yield Requirement(self.name, GAINS, went, ZERO, "", f"{into} in")
-        if not self.rubs():
+        if not self.grips:
             return
         push, rub = (before.ask("impulse", self.name, component=part) for part in "nf")
-        mode = before.mode(self.name)
-        if mode == "sticks":
+        mode, coupled = before.mode(self.name), self.coupled(before)
+        if coupled:
+            yield Requirement(
+                self.name, PUSHES, push, ZERO, f"the {on} pushes {body}", f"the {on} would have to pull {body}"
+            )
+        if mode != "sticks":
+            slip = signed(self.slip(after), -1 if mode == "slips back" else 1)
+            turns = Requirement(
+                self.name, TURNS, slip, ZERO, f"{body} slips all through", f"the slip of {body} turns back"
+            )
+            yield turns if coupled else Requirement(self.name, SLIDES, slip, ZERO, "", f"{body} slips back in")
+            return
+        if self.rubs():
             yield enough(self.name, rub, (self.friction.static or ZERO) * push, "slip")
-        else:
-            slip = signed(self.rate(after, self.forward), -1 if mode == "slips back" else 1)
-            yield Requirement(self.name, SLIDES, slip, ZERO, "", f"{body} slips back in")
+        if coupled:
+            slid = self.slip(before) + self.slip(after)
+            lost = push * (came - went) - rub * slid  # twice the energy that the impulses take
+            yield Requirement(self.name, GAINS, lost, ZERO, "", f"{body} would gain energy, which no blow gives, in")

@@ -13,6 +13,7 @@ from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
 from rotsolve.elements.collisions import Collides, called, whereabouts
 from rotsolve.elements.connections.supports import GROUND, Axis, Hinge
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
@@ -55,6 +56,7 @@ class Joins(Event, frozen=True):
 class Impulse(Event, frozen=True):
     word = "impulse"
     about = "a blow: an impulse on a point of a body"
+    blow = True
     quantities = ("impulse", "angular_impulse")
     spatial = True
     impulse: Formula | None = amount("size; `unknown` asks for it", "impulse", "J", required=True)
@@ -222,6 +224,12 @@ class Grips(Event, frozen=True):
             contacts = sorted(item.name for item in scene.problem.connections if item.lying())
             help = f"contacts: {', '.join(contacts)}" if contacts else "the scene has no contact"
             raise Unsolvable(f"`{self.name}` can only grip a contact, and `{self.grips}` is none", help=help)
+        if isinstance(item, Touch) and item.grip().kind == "none":
+            ref = item.slider()
+            touching = ref.owner if ref.point is None else f"{ref.owner}.{ref.point}"
+            help = f"`friction: any` where it grips; `collides: [{touching}, {item.places()[0].owner}], restitution: 0` where it slides on"
+            message = f"`{self.name}` grips `{item.name}`, which is smooth"
+            raise Unsolvable(message, span=item.touches()[0].span, help=help)
         for ref in item.places():
             surface = scene.surfaces.get(ref.owner)
             if surface is not None and surface.curved and surface.height() is None:

@@ -82,6 +82,7 @@ class Surroundings(Protocol):
     def connections(self, state: str) -> tuple[Connection, ...]: ...
     def throughout(self, name: str) -> tuple[str, ...]: ...
     def host(self, name: str, state: str) -> str: ...
+    def component(self, name: str, state: str) -> frozenset[str]: ...
     def pivot(self, name: str, state: str) -> PointRef | None: ...
     def line(self, name: str, state: str) -> tuple[Heading, str] | None: ...
     def mover(self, name: str, state: str) -> str: ...
@@ -456,6 +457,7 @@ class Event(Element, frozen=True):
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     at_once: ClassVar[str] = ""  # how scenes in space say that several happen at once
     bodily: ClassVar[bool] = False
+    blow: ClassVar[bool] = False  # whether it gives impulses alone, so that several can be at once
     heats: ClassVar[bool] = (
         False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
     )
@@ -471,6 +473,10 @@ class Event(Element, frozen=True):
         """The event as it is among the bodies and surfaces of a scene."""
         return self
 
+    def each(self) -> tuple[Event, ...]:
+        """The events that happen in it: itself, of several at once each."""
+        return (self,)
+
     def rubs(self) -> bool:
         """Whether what it strikes may slip, against friction of a size that is known."""
         return False
@@ -478,6 +484,26 @@ class Event(Element, frozen=True):
     def lying(self) -> str:
         """The body that strikes it."""
         return ""
+
+    def met(self) -> tuple[str, ...]:
+        """What comes together in it, bodies and what is fixed."""
+        return ()
+
+    def of_centres(self) -> Event:
+        """The same event as if bodies met with their centres of mass."""
+        return self
+
+    def coupled(self, instant: Moment) -> bool:
+        """Whether its push alone would already change how the touching point slips."""
+        return False
+
+    def slip(self, instant: Moment) -> Formula:
+        """How fast the touching point slips on what it strikes."""
+        return ZERO
+
+    def push(self, instant: Moment) -> Formula:
+        """Its impulse across what it strikes."""
+        return ZERO
 
     def static(self) -> Formula | None:
         """The coefficient by which its push limits the friction that holds."""

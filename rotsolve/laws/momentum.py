@@ -203,8 +203,7 @@ def group_through_event(at: ThroughEvent) -> Iterator[Equation]:
 
 def restitution(at: ThroughEvent) -> Iterator[Equation]:
     """Speed of separation = e · speed of approach, where the scene tells e."""
-    if at.encounter.restitution is not None:
-        coefficient, approach, separation = at.encounter.restitution
+    for coefficient, approach, separation in at.encounter.bounces:
         yield RESTITUTION.equation(separation, coefficient * approach, at.section)
 
 

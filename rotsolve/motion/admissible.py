@@ -78,9 +78,11 @@ def check_sequence(problem: Problem) -> None:
             message = f"`{name}` does not lead from a state to the next one"
             raise Unsolvable(message, span=states[end].span, help=help)
         other = taken.setdefault((start, end), name)
-        if other != name:
+        pair = [event for event in problem.events if event.name in (other, name)]
+        at_once = all(event.blow and not event.rubs() for event in pair) and len(pair) == 2 and not problem.space
+        if other != name and not at_once:
             message = f"`{other}` and `{name}` happen between the same states: that is not solved yet"
-            ways = {event.at_once for event in problem.events if event.name in (other, name)} if problem.space else {""}
+            ways = {event.at_once for event in pair} if problem.space else {""}
             help = "give each a state of its own to lead to, and let the second start where the first ends"
             help = (len(ways) == 1 and ways.pop()) or help
             raise Unsolvable(message, span=states[end].span, help=help)

@@ -175,7 +175,7 @@ class Arrangement(Struct, frozen=True, dict=True):
     def events(self, state: str) -> list[Event]:
         """What has happened up to a state."""
         passed = self.timeline.intervals[: self.timeline.order[state]]
-        return [interval.event for interval in passed if interval.event is not None]
+        return [event for interval in passed if interval.event is not None for event in interval.event.each()]
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""

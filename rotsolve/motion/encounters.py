@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO, Formula, Number
 from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Facts, Force, Requirement, Rule, signed
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.passage import Encounter, Meeting
+from rotsolve.core.passage import Approach, Encounter, Meeting
 from rotsolve.core.symbols import is_key, key_of, rub_key
 from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.language.bodies import PointRef
@@ -53,7 +53,7 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
         first = replace(first, modes=modes)
         facts = free_bodies(first)
     involved = [body for body in facts.bodies if body.name in group]
-    places = common_places(involved, points, event, first)
+    places = common_places(involved, event, first)
     lasting = {  # what parts of one body do to each other is in the blow by which they are joined
         item.name
         for item in last.configuration.connections(last.state)
@@ -65,7 +65,7 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
         meetings.append(
             replace(
                 meeting(body, first, last, last_facts, places.get(body.name)),
-                blows=(*impulses_of(body, lasting, first), *blows_on(body, event, points, first)),
+                blows=(*impulses_of(body, lasting, first), *blows_on(body, event, first)),
                 twists=(*angular_impulses_of(body, lasting, first), *event.twists(body.name, first)),
                 held=held_after(body, last_facts) if event.adds() and not axes else None,
             )
@@ -73,11 +73,33 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     check_rails(meetings, event, first)
     impulsive = (impulsive_need(need, first) for need in facts.requirements if need.owner in lasting)
     needs = (*(need for need in impulsive if need.left != ZERO), *event.needs(first, last))
-    about, why = supports(involved, points, event, first), event.no_torque(first)
-    bounce, closing = event.bounce(first, last), event.closing(first, last)
+    about, why = supports(involved, event, first), event.no_torque(first)
+    bounces = tuple(bounce for item in event.each() if (bounce := item.bounce(first, last)) is not None)
     rules = (*stuck, *event.rules(first, last))
     joined = joined_on_an_axis(involved, last, last_facts)
-    return Encounter(interval.name, event.about, tuple(meetings), about, needs, bounce, closing, rules, joined, why)
+    givers = tuple(item.name for item in event.each())
+    return Encounter(
+        interval.name,
+        event.about,
+        tuple(meetings),
+        about,
+        needs,
+        bounces,
+        tuple(closings(event, first, last)),
+        rules,
+        joined,
+        why,
+        givers,
+    )
+
+
+def closings(event: Event, first: Instant, last: Instant) -> Iterator[Approach]:
+    """Which bodies come together in an event and part again, and how fast."""
+    for item in event.each():
+        speeds, connections = item.closing(first, last), first.configuration.problem.connections
+        if speeds is not None:
+            pair = tuple(ref.owner for ref in item.points(connections))
+            yield Approach(item.name, pair, *speeds, item.bounce(first, last) is not None)
 
 
 def joined_on_an_axis(
@@ -166,11 +188,12 @@ def impulsive_need(need: Requirement, instant: Instant) -> Requirement:
     )
 
 
-def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instant: Instant) -> Iterator[Force]:
+def blows_on(body: BodyFacts, event: Event, instant: Instant) -> Iterator[Force]:
     """The blows of the event itself on one body."""
-    for ref in points:
-        if instant.host(ref.owner) == body.name:
-            yield from event.blows(ref, body, instant)
+    for item in event.each():
+        for ref in item.points(instant.configuration.problem.connections):
+            if instant.host(ref.owner) == body.name:
+                yield from item.blows(ref, body, instant)
 
 
 # each body
@@ -222,11 +245,13 @@ def held_after(body: BodyFacts, after: Facts) -> Formula | None:
 # where they are
 
 
-def supports(bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event, instant: Instant) -> str:
+def supports(bodies: list[BodyFacts], event: Event, instant: Instant) -> str:
     """What the point is called about which the group turns: a support, or what the event holds; '' where they are free."""
     first = next((body for body in bodies if body.motion.kind == "axis"), None)
     if first is None:
-        return next(filter(None, (event.holds(ref, instant) for ref in points)), "")
+        events, connections = event.each(), instant.configuration.problem.connections
+        held = (item.holds(ref, instant) for item in events for ref in item.points(connections))
+        return next(filter(None, held), "") if len(events) == 1 else ""
     axles = (item for item in instant.configuration.connections(instant.state) if item.axial)
     return "axle" if any(ref.owner == first.name for item in axles for ref in item.fixed_points()) else "pivot"
 
@@ -234,18 +259,23 @@ def supports(bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event
 Spot = tuple[str, Vector]  # a body, and a point of it from its reference
 
 
-def common_places(
-    bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event, instant: Instant
-) -> dict[str, Vector]:
+def common_places(bodies: list[BodyFacts], event: Event, instant: Instant) -> dict[str, Vector]:
     """Reference of each body from one common point: the axis of one that is held, else where they meet; of those whose place that tells."""
-    spots = [(instant.host(ref.owner), event.spot(ref, instant)) for ref in points]
+    spots = [(item, list(struck_places(item, instant))) for item in event.each()]
     held = next((body.name for body in bodies if body.motion.kind == "axis"), None)
-    origin = {held: NOWHERE} if held else {name: tidy(-spot) for name, spot in spots[:1]}
+    origin = {held: NOWHERE} if held else {name: tidy(-spot) for name, spot in spots[0][1][:1]}
     connections = instant.configuration.connections(instant.state)
     joints = [pair for item in connections for pair in shared_places(item.joint(), instant)]
-    check_meeting(spots, joints, event, instant)
+    for item, own in spots:
+        check_meeting(own, joints, item, instant)
     axes = [pair for item in connections for pair in shared_places(item.fixed_points(), instant)]
-    return placed(origin, [*pairwise(spots), *joints, *axes])
+    return placed(origin, [*(pair for _, own in spots for pair in pairwise(own)), *joints, *axes])
+
+
+def struck_places(event: Event, instant: Instant) -> Iterator[Spot]:
+    """Where an event acts on each body."""
+    for ref in event.points(instant.configuration.problem.connections):
+        yield instant.host(ref.owner), event.spot(ref, instant)
 
 
 def shared_places(points: tuple[PointRef, ...], instant: Instant) -> Iterator[tuple[Spot, Spot]]:

@@ -11,6 +11,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import INSIDE, OSCILLATING
+from rotsolve.elements.at_once import event_between
 from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Path, Problem, State, references
 from rotsolve.motion.lifted import lifted
@@ -27,6 +28,11 @@ class Interval(Struct, frozen=True):
     event: Event | None = None
     without: tuple[str, ...] = ()
     whole: str = ""  # the phase of the scene of which it is a part
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What it is called, and what happens in it."""
+        return (self.name, *(item.name for item in (self.event.each() if self.event is not None else ())))
 
 
 class Timeline(Struct, frozen=True, dict=True):
@@ -60,7 +66,8 @@ class Timeline(Struct, frozen=True, dict=True):
         return self.intervals[index - 1] if index else None
 
     def interval(self, name: str) -> Interval | None:
-        return next((interval for interval in self.intervals if interval.name == name), None)
+        """That of a name; of several events at once by the name of each."""
+        return next((interval for interval in self.intervals if name in interval.names), None)
 
     def at_rest(self, interval: Interval) -> bool:
         """Whether no motion leads from one state to the next, since all stands still at both: each is a case of its own."""
@@ -84,7 +91,7 @@ class Timeline(Struct, frozen=True, dict=True):
 
     def whole(self, name: str) -> tuple[str, str] | None:
         """The states from and to which a phase or event lasts; a phase also where its laws end before it does."""
-        parts = [interval for interval in self.intervals if name in (interval.name, interval.whole)]
+        parts = [interval for interval in self.intervals if name == interval.whole or name in interval.names]
         return (parts[0].start, parts[-1].end) if parts else None
 
     def phase_of(self, state: str) -> Interval | None:
@@ -102,7 +109,7 @@ def timeline(problem: Problem) -> Timeline:
         states = (*states, State(OPEN))
     intervals = []
     for number, (before, after) in enumerate(pairwise(states)):
-        event = next((item for item in problem.events if (item.from_, item.to) == (before.name, after.name)), None)
+        event = event_between(problem.events, before.name, after.name)
         if event is not None:
             intervals.append(Interval(event.name or f"{before.name} to {after.name}", before.name, after.name, event))
             continue

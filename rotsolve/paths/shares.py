@@ -129,11 +129,12 @@ def meeting_point(host: str, other: str, instant: Instant) -> Vector | None:
     """From the reference of a body to that of another that it meets in an event, as they stand then."""
     configuration = instant.configuration
     for interval in configuration.timeline.intervals:
-        event = interval.event if instant.state in (interval.start, interval.end) else None
-        refs = event.points(configuration.problem.connections) if event is not None else ()
-        places = {instant.host(ref.owner): event.spot(ref, instant) for ref in refs} if event is not None else {}
-        if host in places and other in places:
-            return places[host] - places[other]
+        beside = interval.event is not None and instant.state in (interval.start, interval.end)
+        for event in interval.event.each() if interval.event is not None and beside else ():
+            refs = event.points(configuration.problem.connections)
+            places = {instant.host(ref.owner): event.spot(ref, instant) for ref in refs}
+            if host in places and other in places:
+                return places[host] - places[other]
     return None
 
 

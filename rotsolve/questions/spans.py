@@ -89,15 +89,14 @@ def meeting_of_last(owner: str, interval: str, scene: SceneEquations) -> Meeting
 
 def last_named(owner: str, interval: str, scene: SceneEquations) -> str:
     """The body that an event or connection names last."""
-    from rotsolve.motion.encounters import participants
-
     found = scene.configuration.timeline.interval(interval)
     assert found is not None and found.event is not None
     instant = scene.instant(found.start)
     item = scene.configuration.connection(owner, found.start)
     refs = item.touches() if item is not None else ()
-    if found.event.name == owner:
-        refs = participants(found, scene.configuration)
+    own = next((event for event in found.event.each() if event.name == owner), None)
+    if own is not None:
+        refs = own.points(scene.configuration.problem.connections)
     bodies = [ref.owner for ref in refs if ref.owner in scene.configuration.bodies]
     return instant.host(bodies[-1]) if bodies else ""
 
@@ -168,7 +167,7 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
     """Work of an action or connection in a phase, or of all forces on a body, which is what it gains of kinetic energy."""
     passage = scene.passages.get(interval)
     if passage is None:
-        return ZERO
+        return work_in_event(path.owner, interval, scene)
     if path.component == "gravity":
         return work_of_weight(path.owner, passage, scene)
     works = [work for work in passage.works if path.owner == work.owner]
@@ -181,6 +180,19 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
     if not works:
         raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
     return total([work.amount for work in works])
+
+
+def work_in_event(owner: str, interval: str, scene: SceneEquations) -> Formula:
+    """J · (v₁ + v₂)/2 of the blows of an event at the points that they strike, minus the energy lost in it; of all else none."""
+    encounter, found = scene.encounters.get(interval), scene.configuration.timeline.interval(interval)
+    if encounter is None or found is None or owner not in encounter.givers:
+        return ZERO
+    works: list[Formula] = []
+    for item in encounter.meetings:
+        motions = [scene.instant(state).motion(item.body.name) for state in (found.start, found.end)]
+        for blow in (blow for blow in item.blows if blow.owner == owner):
+            works += [blow.vector.dot(motion.velocity_of(blow.arm)) / 2 for motion in motions]
+    return total(works)
 
 
 def net_work(name: str, passage: Passage, scene: SceneEquations) -> Formula:

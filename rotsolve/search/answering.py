@@ -132,7 +132,9 @@ def place_in_time(find: Find, timeline: Timeline) -> int:
 
 def states_spoken_of(term: Term, timeline: Timeline) -> list[str]:
     """The states of which a term speaks, the last one of a phase or an event for that."""
-    spans = [one.end for one in timeline.intervals if term.during is not None and term.during in (one.name, one.whole)]
+    spans = [
+        one.end for one in timeline.intervals if term.during is not None and term.during in (*one.names, one.whole)
+    ]
     return [name for name in (term.at, term.start, term.end, *spans) if name is not None]
 
 

@@ -160,8 +160,8 @@ def untimely(search: Search, numbers: KnownBalls) -> bool:
     all along it, bodies that pass through each other where they meet."""
     if any(no_way(passage, numbers) for passage in search.scene.passages.values()):
         return True
-    for encounter in search.scene.encounters.values():
-        speeds = [numbers.size(speed) for speed in encounter.closing or ()]
+    for closing in (closing for encounter in search.scene.encounters.values() for closing in encounter.closings):
+        speeds = [numbers.size(speed) for speed in closing.speeds]
         sides = [side_of(speed) for speed in speeds if speed is not None]
         if len(sides) == 2 and sides[0] and sides[1] == -sides[0]:
             return True

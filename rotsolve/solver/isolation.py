@@ -12,7 +12,7 @@ from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import coefficients, degree, is_zero, monomials
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_unwrapped
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Integral, Number, Sum, Symbol, total
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Integral, Number, Quotient, Sum, Symbol, total
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.symbols import key_of
 from rotsolve.solver.steps import (
@@ -65,10 +65,19 @@ class Isolation(Textbook, kw_only=True):
         value = solve_linear(gap, name, order=self.order, positive=self.positive)
         if (value is not None or alone) and self.hollow(gap, name):
             raise Redundant(item.index)
+        if value is not None and self.divides_by_nothing(value):
+            if alone:
+                raise Redundant(item.index)
+            return None
         if value is None and alone:
             gap = gap if self.without_square(gap, name) is None else up_to_first(gap, name)
             return self.one_root(name, solve_polynomial(gap, name, order=self.order, positive=self.positive), gap)
         return None if value is None else (value, ())
+
+    def divides_by_nothing(self, value: Formula) -> bool:
+        """Whether a denominator is nothing by the numbers, though its letters do not show it: 2 x − L of the point in the middle."""
+        below = [node.denominator for node in value.walk(Quotient) if isinstance(node, Quotient)]
+        return any(one.holds(Sum) and self.signs.by_numbers(one) == 0 for one in below)
 
     def check_length(self, gap: Formula, name: str) -> None:
         """Refuses what no page can hold once it is solved for a letter, before it is written."""

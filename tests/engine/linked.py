@@ -50,15 +50,37 @@ class Bodies:
         given = mass @ before + sum((self.row([push]) for push in pushes), np.zeros(len(mass)))
         return self.solution(mass, jacobian, given, np.zeros(len(jacobian)))
 
+    def bounced(
+        self,
+        before: Array,
+        pushes: Sequence[tuple[str, Array, Array]],
+        hits: Sequence[tuple[str, Sequence[tuple[str, Array, Array]], float]],
+    ) -> tuple[Array, dict[str, float]]:
+        """Speeds after, and the impulses of constraints and of hits at once: M v − Jᵀ Λ − Nᵀ P = M v₀ + P₀, J v = 0, N v = −e N v₀."""
+        rows = [self.row(parts) for _, parts in self.rows]
+        normals = [self.row(parts) for _, parts, _ in hits]
+        jacobian = np.array([*rows, *normals]).reshape(-1, 3 * len(self.names))
+        ties = [0.0] * len(rows) + [
+            -bounce * float(row @ before) for row, (_, _, bounce) in zip(normals, hits, strict=True)
+        ]
+        given = self.mass() @ before + sum((self.row([push]) for push in pushes), np.zeros(len(before)))
+        found, impulses = self.solution(self.mass(), jacobian, given, np.array(ties), [name for name, _, _ in hits])
+        return found, impulses
+
+    def energy(self, speeds: Array) -> float:
+        return float(speeds @ self.mass() @ speeds) / 2
+
     def mass(self) -> Array:
         return np.diag([x for m, i in zip(self.masses, self.inertias, strict=True) for x in (m, m, i)])
 
-    def solution(self, mass: Array, jacobian: Array, given: Array, ties: Array) -> tuple[Array, dict[str, float]]:
+    def solution(
+        self, mass: Array, jacobian: Array, given: Array, ties: Array, more: Sequence[str] = ()
+    ) -> tuple[Array, dict[str, float]]:
         """x and Λ of M x − Jᵀ Λ = given, J x = ties."""
         count = len(jacobian)
         matrix = np.block([[mass, -jacobian.T], [jacobian, np.zeros((count, count))]])
         found = np.linalg.solve(matrix, np.concatenate([given, ties]))
-        names = [name for name, _ in self.rows]
+        names = [name for name, _ in self.rows] + list(more)
         return found[: len(mass)], dict(zip(names, found[len(mass) :], strict=True))
 
     def moving(self, speeds: Array, pushes: Sequence[tuple[str, Array, Array]]) -> tuple[Array, dict[str, float]]:

@@ -126,13 +126,12 @@ REFUSED = {
     "with which point `ball` strikes": struck(
         (0, -3), 0, "restitution: 1", body="bodies: {ball: {shape: rod, mass: 1 kg, length: 1 m}}\n"
     ),
-    "whose push turns `ball`": struck(
-        (0, -3),
-        0,
-        "restitution: 1, friction: 0.2",
-        "floor",
-        "bodies: {ball: {shape: rod, mass: 1 kg, length: 1 m}}\n",
-    ).replace("[ball, floor]", "[ball.end, floor]"),
+    "grips `foot`, which is smooth": struck((1, -3), 0, "restitution: 0")
+    .replace("collides: [ball, floor], restitution: 0", "grips: foot")
+    .replace("states:", "connections: {foot: {contact: [ball, floor]}}\nstates:"),
+    "which `roll` holds": struck((3, 0), 0, "restitution: 1, friction: 0.2", "side").replace(
+        "states:", "connections: {roll: {rolls: [ball, floor]}}\nstates:"
+    ),
     "does not move towards": struck((0, -3), 0, "restitution: 1")
     .replace("radius: 2 cm", "radius: 2 cm, moves: right")
     .replace("ball.velocity: [0 m/s, -3 m/s]", "ball.velocity: 3 m/s")

@@ -152,6 +152,18 @@ CAUGHT = (
     "states: {before: {rod.angle: 90 deg, at rest: rod, ball.velocity: [3 m/s, 0 m/s]}, after: {}, end: {time: 1 s}}\n"
     "events: {hit: {joins: [ball, rod.end], from: before, to: after}}\n"
 )
+HINGED = (
+    "given: {mu: 0.2}\nsurfaces: {floor: level}\nbodies: {rod: {shape: rod, mass: 2 kg, length: 1 m}}\n"
+    "connections: {pin: {hinge: rod.start}}\n"
+    "states: {before: {rod.angle: -30 deg, rod.angular_velocity: -3 rad/s}, after: {}%s}\n"
+    "events: {hit: {collides: [rod.end, floor], restitution: %s, friction: mu, from: before, to: after}%s}\n"
+)
+CRADLE = (
+    "plane: horizontal\nbodies: {one: {mass: m, moves: right}, two: {mass: m, moves: right}, three: {mass: m, moves: right}}\n"
+    "states: {before: {one.velocity: 3 m/s, at rest: [two, three]}, %safter: {}}\n"
+    "events: {h1: {collides: [one, two], restitution: 0.9, from: before, to: %s}, "
+    "h2: {collides: [two, three], restitution: 0.9, from: %s, to: after}}\nfind: {x: three.velocity at after}\n"
+)
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
     "damped fall": (
         ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
@@ -261,7 +273,9 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "surfaces: {floor: level}\nbodies: {block: {mass: m, moves: right}}\nconnections: {base: {contact: [block, floor]}}\n"
         + BLOW
         + "events: {hit: {impulse: 1 N s, on: block, direction: 60 deg, from: before, to: after}}\nfind: {x: block.velocity at after}\n",
-        "",
+        "bodies: {block: {mass: m}}\n"
+        + BLOW
+        + "events: {hit: {impulse: 1 N s, on: block, direction: 60 deg, from: before, to: after}}\nfind: {x: block.velocity.x at after}\n",
     ),
     "blow to the side of a line": (HUNG, ""),
     "top that nods after a time": (
@@ -373,8 +387,31 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         LIES.replace("disc.angular_velocity: w", "at rest: all").replace("face.torque", "pin.force"),
         LIES.replace("disc.angular_velocity: w", "at rest: all"),
     ),
-    "rough blow that turns": (
-        DROPPED.replace("restitution: 0.5", "restitution: 0.5, friction: 0.2"),
+    "rough blow beside a contact": (
+        DROPPED.replace("rod: {shape: rod, mass: m, length: L}", "rod: {shape: disc, mass: m, radius: R}")
+        .replace("rod.angle: 0 deg, rod.velocity: [0 m/s, -3 m/s]", "rod.velocity: [2 m/s, 0 m/s]")
+        .replace("hill: {dome: R}", "side: {wall: right}")
+        .replace("states:", "connections: {lies: {contact: [rod, floor]}}\nstates:")
+        .replace("rod.end, floor", "rod, side")
+        .replace("restitution: 0.5", "restitution: 0.5, friction: 0.2"),
+        DROPPED.replace("restitution: 0.5", "restitution: 0.5, friction: 0.2").replace("0 deg", "-60 deg"),
+    ),
+    "slip that turns back": (
+        HINGED % ("", "0.5", "") + "find: {x: rod.angular_velocity at after}\n",
+        HINGED.replace("mu: 0.2", "mu: 0.2, J: unknown")
+        % (
+            ", end: {rod.angular_velocity: 1.5 rad/s}",
+            "0",
+            ", back: {impulse: J, on: rod.end, direction: [-mu, 1], from: after, to: end}",
+        )
+        + "find: {x: J}\n",
+    ),
+    "cradle": (CRADLE % ("", "after", "before"), CRADLE % ("mid: {}, ", "mid", "mid")),
+    "one of two blows would pull": (
+        DROPPED.replace(
+            "events: {",
+            "events: {other: {collides: [rod.at(3*L/4), floor], restitution: 0.5, from: before, to: after}, ",
+        ),
         DROPPED,
     ),
     "blow off a dome": (DROPPED.replace("rod.end, floor", "rod.end, hill"), DROPPED),

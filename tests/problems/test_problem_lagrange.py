@@ -20,11 +20,13 @@ GOLDEN = Path(__file__).resolve().parent / "lagrange"
 RAW = re.compile(r"[a-z_]\|[a-z_]|…")  # the key of a quantity of the laws, which no reader should see
 SAID = FAMILIES[LAGRANGE].words
 
-BLOWS = """ball-with-backspin-bounces dumbbell-hits-a-wall super-ball-under-a-table
-hinged-plates-that-are-struck meteorite-that-stays-in-a-probe
+BLOWS = """disc-into-a-corner ball-strikes-a-double-pendulum balls-in-a-row double-pendulum-struck-below folding-door-at-a-stop
+jointed-rods-caught-at-an-end puck-sticks-to-jointed-rods three-jointed-rods-struck two-balls-strike-a-rod-at-once door-at-its-stop
+rod-falls-on-an-edge rod-lands-on-two-pegs rod-falls-slanting-on-a-rough-floor hinged-rod-falls-on-a-rough-floor
+ball-with-backspin-bounces dumbbell-hits-a-wall super-ball-under-a-table hinged-plates-that-are-struck meteorite-that-stays-in-a-probe
 bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
-bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
-blow-on-a-plate-at-a-corner disc-struck-at-its-rim cube-caught-at-an-edge plate-struck-where-its-hinges-feel-nothing"""
+bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step
+blow-on-a-box blow-on-a-plate-at-a-corner disc-struck-at-its-rim cube-caught-at-an-edge plate-struck-where-its-hinges-feel-nothing"""
 INERTIA_CHANGES = """ball-bounces-twice
 bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
 sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in

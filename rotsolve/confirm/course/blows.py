@@ -60,9 +60,26 @@ class Blow:
                 part = size * self.struck.columns[name, kind].get(first + k, 0.0)
                 known[k] -= part
                 found[k] += part if name in owners else 0.0
-        if owner == self.event.name:  # what the event gives by itself is what no row gave
+        if owner in self.struck.loads:
+            found = [part + self.struck.loads[owner].get(first + k, 0.0) for k, part in enumerate(found)]
+        elif owner == self.event.name:  # what the event gives by itself is what no row gave
             found = [a + b for a, b in zip(found, known, strict=True)]
         return (found[0], found[1]), found[2]
+
+    def work(self, owner: str) -> float:
+        """Of the impulses of one event, by the mean of the rates before and after it."""
+        if any(name == owner for name, _ in self.struck.open):
+            raise NotConfirmed(f"the equations of rigid bodies leave the impulses of `{owner}` open")
+        pushes = [
+            (size, self.struck.columns[name, kind])
+            for (name, kind), size in self.struck.impulses.items()
+            if name == owner
+        ]
+        pushes += [(1.0, slope) for name, slope in self.struck.loads.items() if name == owner]
+        speeds = list(zip(self.before.placed.speed, self.struck.placed.speed, strict=True))
+        return math.fsum(
+            size * part * sum(speeds[index]) / 2 for size, column in pushes for index, part in column.items()
+        )
 
     def change(self, index: int) -> float:
         return self.struck.placed.speed[index] - self.before.placed.speed[index]
@@ -72,9 +89,8 @@ class Blow:
         model = self.after.model
         items = (*model.acting.connections, *self.before.model.acting.connections)
         item = next((item for item in items if item.name == owner), None)
-        refs = (
-            self.event.points(model.problem.connections) if owner == self.event.name else item.touches() if item else ()
-        )
+        event = next((event for event in self.event.each() if event.name == owner), None)
+        refs = event.points(model.problem.connections) if event else item.touches() if item else ()
         named = [ref.owner for ref in refs if ref.owner in model.seats]
         if not named:
             raise NotConfirmed(f"`{owner}` gives no impulse")

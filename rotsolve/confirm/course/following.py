@@ -16,6 +16,7 @@ from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.symbols import TIME
+from rotsolve.elements.at_once import event_between
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.elements import Event
@@ -250,7 +251,7 @@ class Course:
         return blow.after
 
     def event(self, first: str, last: str) -> Event | None:
-        return next((event for event in self.problem.events if (event.from_, event.to) == (first, last)), None)
+        return event_between(self.problem.events, first, last)
 
     def ends(self, name: str) -> tuple[str, str]:
         """The states of a phase or an event by its name."""

@@ -27,15 +27,23 @@ ROD = ("start", "end")
 
 def met_through(before: Node, event: Event, model: Model, after: Pose) -> tuple[Met, ...]:
     """Who has met up to an event and may not go through each other; a later blow of theirs counts anew."""
+    known = before.placed.met
+    for item in event.each():
+        known = met_in(item, known, before, model, after)
+    return known
+
+
+def met_in(event: Event, known: tuple[Met, ...], before: Node, model: Model, after: Pose) -> tuple[Met, ...]:
+    """Those who had met, and who meet in one event."""
     if isinstance(event, Leaves):
-        return (*before.placed.met, *left_hollows(before, event, model))
+        return (*known, *left_hollows(before, event, model))
     if not isinstance(event, Collides):
-        return before.placed.met
+        return known
     pair = event.collides[0], event.collides[1]
     fixed = event if isinstance(event, Bounces) else None
     found = met_fixed(before, fixed, model) if fixed else met_on_line(before, pair, model, after)
     anew = ({ref.owner for ref in pair}, set(found.pair) if found is not None else set())
-    kept = tuple(met for met in before.placed.met if set(met.pair) not in anew)
+    kept = tuple(met for met in known if set(met.pair) not in anew)
     return kept if found is None else (*kept, found)
 
 

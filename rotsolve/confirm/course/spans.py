@@ -96,7 +96,9 @@ def way_covered(span: Between, term: Term) -> Reckoned:
 
 def work(span: Between, term: Term) -> Reckoned:
     """∫ of the power of all forces on a body, of its weight, or of what an element does to all that it touches."""
-    path = term.path
+    path, blow = term.path, span.course.blow(span.start, span.end)
+    if blow is not None and any(event.name == path.owner for event in blow.event.each()):
+        return number(blow.work(path.owner))
     if path.owner in span.course.node(span.start).model.seats:
         return span.sum(lambda at: power_on(at, Path(path.owner, "power", component=path.component), None).number)
     return span.sum(lambda at: power(at, path, None).number if at.acts(path.owner) else 0.0)

@@ -139,9 +139,8 @@ def energy_kept(scene: Scene) -> Made:
 
 def elastic_laws(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The laws of an event in which no kinetic energy is lost."""
-    if encounter.restitution is not None:
-        _, approach, separation = encounter.restitution
-        elastic = replace(encounter, restitution=(ONE, approach, separation))
+    if encounter.bounces:
+        elastic = replace(encounter, bounces=tuple((ONE, *speeds) for _, *speeds in encounter.bounces))
         yield from equations_for(EVENT, ThroughEvent(elastic, section))
         return
     before, after = (
@@ -173,11 +172,18 @@ def momentum_through_support(scene: Scene) -> Made:
 
 def unsupported_momenta(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The momenta of an event without the impulse of the support."""
-    free = [replace(item, blows=tuple(filter(encounter.gives, item.blows))) for item in encounter.meetings]
+    free = [replace(item, blows=blows_of_event(item, encounter)) for item in encounter.meetings]
     names = tuple(sorted(item.body.name for item in free))
     momenta = momentum.linear_momentum(replace(encounter, meetings=tuple(free)), section, names)
     yield from (momentum for momentum in momenta if ZERO not in (momentum.left, momentum.right))
     yield from momentum.restitution(ThroughEvent(encounter, section))
+
+
+def blows_of_event(item: Meeting, encounter: Encounter) -> tuple[Force, ...]:
+    """The blows on a body that an event gives from outside: its own impulses, and those of what it strikes that is fixed."""
+    fixed = {len(closing.pair) for closing in encounter.closings} == {1}
+    own = (blow for blow in item.blows if encounter.gives(blow) or (fixed and blow.owner in encounter.givers))
+    return tuple(replace(blow, internal=False) for blow in own)
 
 
 def blows_from_outside(encounter: Encounter) -> list[Force]:

@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
-from rotsolve.grading.mistakes import energies, forces, in_space, inertias, misread
+from rotsolve.grading.mistakes import energies, forces, impacts, in_space, inertias, misread
 from rotsolve.grading.mistakes.mistake import Made, Mistake
 from rotsolve.grading.mistakes.scene import Scene, same_answers
 from rotsolve.language.problem import Problem
@@ -67,6 +67,21 @@ MISTAKES = [
             energies.momentum_through_support,
         ),
         ("energy kept", "kinetic energy is taken as conserved in an event that loses some", energies.energy_kept),
+        (
+            "about the centre in a blow",
+            "angular momentum is taken about the centre of mass of what a support holds, which pushes too",
+            impacts.about_the_centre,
+        ),
+        (
+            "centre held",
+            "the centre of mass of a free body is taken as held in a blow",
+            impacts.centre_held,
+        ),
+        (
+            "restitution of the centres",
+            "the speeds of the centres of mass are put into the coefficient of restitution",
+            impacts.restitution_of_centres,
+        ),
         ("work left out", "mechanical energy is taken as conserved though work is done", energies.no_work),
         ("friction left out", "friction is left out", forces.no_friction),
         ("normal force as weight", "the normal force is taken as m g, as on the level", forces.normal_as_weight),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.core.writing import spoken
+from rotsolve.core.writing import and_joined, spoken
 
 if TYPE_CHECKING:
     from rotsolve.language.problem import Problem
@@ -19,8 +19,15 @@ NAMING = frozenset(
 
 def names_of_scene(problem: Problem) -> frozenset[str]:
     """All names of a scene, and how they are spoken."""
-    found = frozenset(_names("", problem))
+    found = frozenset(_names("", problem)) | frozenset(names_at_once(problem))
     return found | frozenset(map(spoken, found))
+
+
+def names_at_once(problem: Problem) -> Iterator[str]:
+    """What several events at once are called."""
+    for pair in dict.fromkeys((event.from_, event.to) for event in problem.events):
+        names = [event.name for event in problem.events if (event.from_, event.to) == pair]
+        yield from (and_joined([spoken(name) for name in names]),) if len(names) > 1 else ()
 
 
 def _names(field: str, value: object) -> Iterator[str]:
