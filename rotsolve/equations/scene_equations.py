@@ -253,6 +253,8 @@ class SceneEquations(Struct, dict=True):
     def _written(self) -> Iterator[Equation]:
         """All that the states say and the laws write, in the order of time within each kind."""
         yield from (equation for equation, _ in self.stated)
+        if any(body.density is not None for body in self.configuration.problem.bodies):
+            yield from self.reader(self.configuration.timeline.states[0].name).masses_told_twice()
         for state in self.configuration.timeline.states:
             yield from self._moment(state)
         for interval in self.configuration.timeline.intervals:

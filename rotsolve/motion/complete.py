@@ -110,8 +110,8 @@ def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body
         return body if mass is not None else replace(body, mass=letters.make("m", body.name, "mass"))
     if body.density is not None and shape is not None and has_quantities(body.density):
         shape = Graded(letters.positive, shape, body.density)
-        mass = shape.measure()
-    elif body.density is not None and shape is not None:
+        mass = body.mass or shape.measure()
+    elif body.density is not None and shape is not None and mass is None:
         whole, *cut = materials(replace(body, shape=shape, holes=holes)) if holes else (ONE,)
         left = (whole - total(cut)) / whole
         mass = body.density * (shape.content() if not holes else simplify(shape.content() * left))
