@@ -77,6 +77,7 @@ BODY: dict[str, Key] = {
     "acceleration": Key(
         "motion", "prescribed acceleration `[ax, ay]`", dimension="acceleration", letter="a", varies=True
     ),
+    "momentum": Key("motion", "given momentum `[px, py]`", dimension="momentum", letter="p", varies=True),
     "angle": Key("motion", "prescribed angle", dimension="angle", letter="theta", varies=True),
     "angular_velocity": Key(
         "motion", "prescribed angular velocity", dimension="angular velocity", letter="omega", varies=True

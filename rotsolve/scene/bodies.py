@@ -341,7 +341,7 @@ def read_count(scope: Scope, node: Node, owner: str) -> int | None:
 
 
 WHOLE: dict[str, Callable[[Scope, Node, str], Any]] = {"principal": read_principal, "tensor": read_tensor}
-PLANAR = ("moves", "turns", "angle", "count")  # keys of a body that mean nothing in space
+PLANAR = ("moves", "turns", "angle", "count", "momentum")  # keys of a body that mean nothing in space
 READERS: dict[str, Callable[[Scope, Node, str], Any]] = {
     "inertia": read_inertia,
     "parts": read_parts,

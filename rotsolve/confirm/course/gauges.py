@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.instant import gathered, slip_speed
-from rotsolve.confirm.lines import from_axis, once_round, placed_value, rate_of
+from rotsolve.confirm.lines import SIZED, from_axis, goal_of, once_round, placed_value, rate_of
 from rotsolve.confirm.model import Model
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Ride
@@ -196,7 +196,7 @@ def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
         if found is not None:
             slope, sign = found
             speed = sum([part * at.placed.speed[index] for index, part in slope.items()]) * sign
-            return abs(speed) - value if path.quantity == "speed" else speed - value
+            return abs(speed) - goal_of(path, value) if path.quantity in SIZED else speed - value
         place = placed_value(path, pose, at.model)
         if place is None:
             from rotsolve.confirm.course.asked import reading
