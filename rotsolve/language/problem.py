@@ -102,6 +102,7 @@ class Term(Struct, frozen=True):
     In space components are asked in `axes` (space, body, node, or those of a body that is named) and `relative` to a body; of an
     `angle of` two vectors `other` is the second.
     'small swings' or 'mode 1' (`at` an equilibrium) or 'swings' (from `start`); of a `ratio of` two amplitudes `other` is the second.
+    A mean may be taken `by` a turn or a way, a path; of an inertia `by` is the word for how it is found.
     A `time from A to B` has path.quantity 'time'. `at` names one state or is ANY_TIME, `during` a phase or event, `start`/`end` two states.
     """
 
@@ -113,7 +114,7 @@ class Term(Struct, frozen=True):
     end: str | None = None
     about: PointRef | None = None
     along: Formula | str | tuple[Formula, ...] | None = None
-    by: str | None = None
+    by: str | Path | None = None
     axes: str | None = None
     relative: str | None = None
     other: Term | None = None
