@@ -422,6 +422,14 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         ROD + OIL + FALL + "find: {x: mean rod.kinetic_energy from high to low}\n",
         "",
     ),
+    "settling by the place": (
+        ROD
+        + FALL.replace("rod.angle: -30 deg", "rod.angular_velocity: settles")
+        + "find: {x: rod.angular_velocity at low}\n",
+        ROD
+        + FALL.replace("rod.angle: -30 deg", "rod.angular_velocity: smallest")
+        + "find: {x: rod.angular_velocity at low}\n",
+    ),
     "momentum of several wheels": (BOTH_WHEELS % "[one, two]", BOTH_WHEELS % "one"),
     "energy that comes to nothing": (
         BY_ENERGY.replace("LAW", "kinetic_energy: tau*cos(time/t1)^2"),
