@@ -91,6 +91,7 @@ class Phase(Struct, frozen=True):
 
 
 EXTREMES = ("largest", "smallest")
+SMALL_BESIDE = "<<"  # between two letters of `assume`: the first is small beside the second
 SETTLES = "settles"  # of a velocity: what it comes ever closer to, whether from above or from below
 COMES_TO = (*EXTREMES, SETTLES)  # what a state may say of a quantity whose rate is nothing there
 MODE = "mode "  # with its number the modifier of what is asked of one of several ways in which bodies swing
