@@ -29,7 +29,7 @@ def pairs_of(assumed: Sequence[str]) -> tuple[tuple[str, str], ...]:
     return tuple((word[0], word[1]) for word in words if len(word) == 2)
 
 
-def leading(formula: Formula, pairs: Sequence[tuple[str, str]], positive: Collection[str]) -> Formula | None:
+def leading_order(formula: Formula, pairs: Sequence[tuple[str, str]], positive: Collection[str]) -> Formula | None:
     """The leading term, the same in whatever order the letters are made small; None where none is found."""
     found = {leading_in_turn(formula, order, positive) for order in permutations(pairs)}
     first = next(iter(found))

@@ -163,7 +163,7 @@ class Results(Struct, frozen=True):
         problem = self.search.scene.configuration.problem
         if problem.space or not problem.assume or found.formula is None or has_quantities(found.formula):
             return ()
-        from rotsolve.derivation.leading import leading, pairs_of
+        from rotsolve.derivation.leading import leading_order, pairs_of
 
         pairs = [pair for pair in pairs_of(problem.assume) if pair[0] in found.formula.symbols()]
         if not pairs:
@@ -171,7 +171,7 @@ class Results(Struct, frozen=True):
         said: list[str | Formula] = []
         for small, large in pairs:
             said += [" and " if said else "", Symbol(small), " ≪ ", Symbol(large)]
-        term = leading(found.formula, pairs, self.search.signs.positive)
+        term = leading_order(found.formula, pairs, self.search.signs.positive)
         if term is None:
             return ("no leading term is found for ", *said)
         if is_zero(term - found.formula):

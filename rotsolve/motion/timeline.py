@@ -152,7 +152,7 @@ MEAN = ("mean", "speed")
 RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
 
 
-def gathered(term: Term) -> bool:
+def asks_integral(term: Term) -> bool:
     """Whether a mean is asked of which the laws have no sum: it is an integral over the quantity, at any moment of its phases."""
     return term.modifier == "mean" and (isinstance(term.by, Path) or term.path.quantity not in MEAN_OF)
 
@@ -176,7 +176,7 @@ class Mentions(Struct, frozen=True, dict=True):
             term.modifier in RUNNING
             or term.path.quantity == "distance"
             or (term.modifier, term.path.quantity) == MEAN
-            or gathered(term)
+            or asks_integral(term)
             for term in terms
         )
 

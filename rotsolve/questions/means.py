@@ -41,7 +41,7 @@ def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside
     intervals = scene.configuration.timeline.between(start, end)
     phases = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
     check_one_way(term.path, phases, scene)
-    whole = total([gathered(term, by, passage, scene) for passage in phases])
+    whole = total([summed_up(term, by, passage, scene) for passage in phases])
     return Meaning(whole / over.formula, kind.dimension, label=label, plain=True), section
 
 
@@ -82,7 +82,7 @@ def summed_elsewhere(term: Term, start: str, end: str, scene: SceneEquations, be
         return None  # a force or torque that varies with the motion
 
 
-def gathered(term: Term, by: Path | None, passage: Passage, scene: SceneEquations) -> Formula:
+def summed_up(term: Term, by: Path | None, passage: Passage, scene: SceneEquations) -> Formula:
     """∫ Q dt over a phase, or ∫ Q dθ: of what stays the same Q t or Q θ, else by the time, the place or the rate by which all goes."""
     start = passage.start.state
     first, midway = (scene.reader(start, generic=generic).meaning(term.path, term) for generic in (False, True))
@@ -99,7 +99,7 @@ def gathered(term: Term, by: Path | None, passage: Passage, scene: SceneEquation
         return first.formula * over_interval(by, interval, scene)
     if by is None and not varies:
         return over_time(first.formula, midway.formula, passage)
-    lead = leading(term.path, passage, scene)
+    lead = led_by(term.path, passage, scene)
     value = midway.formula
     if by is not None:
         rate = scene.reader(start, generic=True).meaning(replace(by, quantity=RATE_OF[by.quantity])).formula
@@ -138,7 +138,7 @@ def along_place(value: Formula, lead: Travel) -> Formula:
     return Integral(signed(value, lead.sense), lead.coordinate.name, start, end)
 
 
-def leading(path: Path, passage: Passage, scene: SceneEquations) -> Travel | None:
+def led_by(path: Path, passage: Passage, scene: SceneEquations) -> Travel | None:
     """The coordinate, or the rate, by which goes what a path speaks of; None where all goes by the time."""
     owner = path.owner if path.owner in scene.configuration.bodies else ""
     host = scene.instant(passage.start.state).host(owner) if owner else ""

@@ -17,24 +17,24 @@ def small_beside(scope: Scope, node: Node, word: str) -> list[str]:
     letters = [part.strip() for part in word.split(SMALL_BESIDE)]
     form = f"write `m {SMALL_BESIDE} M` with two letters of `given`"
     if len(letters) != 2 or letters[0] == letters[1]:
-        return refused(scope, node, f"`{word}` does not say which letter is small beside which", form)
+        return faulted(scope, node, f"`{word}` does not say which letter is small beside which", form)
     for letter in letters:
         given = scope.givens.get(letter)
         if given is None:
-            return refused(scope, node, f"`{letter}` is no given", hint(letter, scope.names("given"), "givens"))
+            return faulted(scope, node, f"`{letter}` is no given", hint(letter, scope.names("given"), "givens"))
         if given.asked or (given.value is not None and given.value.symbols()):
-            return refused(scope, node, f"`{letter}` is made of others, or asked for", form)
+            return faulted(scope, node, f"`{letter}` is made of others, or asked for", form)
     one, other = (scope.dimensions.get(letter) for letter in letters)
     if one is not None and other is not None and not one.matches(other):
-        return refused(scope, node, f"`{letters[0]}` and `{letters[1]}` are of different kinds", form)
+        return faulted(scope, node, f"`{letters[0]}` and `{letters[1]}` are of different kinds", form)
     share = rough(Symbol(letters[0]) / Symbol(letters[1]), scope.numbers)
     if share is not None and not 0.0 < share <= SMALL:
         message = f"`{letters[0]}` is not small beside `{letters[1]}`: it is {share:.3g} of it"
-        return refused(scope, node, message, f"it may be {SMALL:g} of it at most; leave the approximation out")
+        return faulted(scope, node, message, f"it may be {SMALL:g} of it at most; leave the approximation out")
     return [f"{letters[0]} {SMALL_BESIDE} {letters[1]}"]
 
 
-def refused(scope: Scope, node: Node, message: str, help: str) -> list[str]:
+def faulted(scope: Scope, node: Node, message: str, help: str) -> list[str]:
     """Nothing, with a fault at the place."""
     scope.fault(node, message, help, "limits")
     return []
