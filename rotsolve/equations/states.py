@@ -16,6 +16,7 @@ from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import CONSTANT, RATE, has_quantities, is_key, is_quantity, paths_in
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.core.writing import spoken
+from rotsolve.language.noted import unread
 from rotsolve.language.problem import COMES_TO, SETTLES, Condition, Path, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
@@ -226,6 +227,11 @@ class Statements(Struct):
                 prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
         while self._put_in():
             pass
+        if any("at" in unread(item) or getattr(item, "at", None) for item in self.configuration.problem.connections):
+            from rotsolve.equations.closing import check_closed
+
+            for state in self.configuration.timeline.states:
+                check_closed(state, self.fixed.instant(state.name))
         return self.stated
 
     def _as_drawn(self, state: str) -> None:

@@ -99,7 +99,7 @@ def summed_up(term: Term, by: Path | None, passage: Passage, scene: SceneEquatio
         return first.formula * over_interval(by, interval, scene)
     if by is None and not varies:
         return over_time(first.formula, midway.formula, passage)
-    lead = led_by(term.path, passage, scene)
+    lead = lead_of_mean(term.path, passage, scene)
     value = midway.formula
     if by is not None:
         rate = scene.reader(start, generic=True).meaning(replace(by, quantity=RATE_OF[by.quantity])).formula
@@ -138,7 +138,7 @@ def along_place(value: Formula, lead: Travel) -> Formula:
     return Integral(signed(value, lead.sense), lead.coordinate.name, start, end)
 
 
-def led_by(path: Path, passage: Passage, scene: SceneEquations) -> Travel | None:
+def lead_of_mean(path: Path, passage: Passage, scene: SceneEquations) -> Travel | None:
     """The coordinate, or the rate, by which goes what a path speaks of; None where all goes by the time."""
     owner = path.owner if path.owner in scene.configuration.bodies else ""
     host = scene.instant(passage.start.state).host(owner) if owner else ""

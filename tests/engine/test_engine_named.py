@@ -172,6 +172,14 @@ BY_ENERGY = (
     "plane: horizontal\nbodies: {one: {shape: disc, mass: m, radius: R}}\n"
     "connections: {stud: {axle: one, LAW}}\nstates: {start: {}, end: {time: t1}}\nfind: {x: one.angular_velocity at end}\n"
 )
+BARS = (
+    "given: {L: 50 cm, d: PLACE, w: 3 rad/s, M: 2 kg}\ngravity: none\n"
+    "bodies: {a: {shape: rod, mass: M, length: L}, b: {shape: rod, mass: M, length: L}, c: {shape: rod, mass: M, length: L}}\n"
+    "connections: {A: {hinge: a.start, at: [0, 0]}, D: {hinge: b.start, at: [d, 0]}, B: {hinge: [a.end, c.start]}, "
+    "C: {hinge: [b.end, c.end]}}\nstates: {now: {a.angle: 90 deg, c.angle: 0, a.angular_velocity: w TOLD}}\n"
+    "find: {x: b.angular_velocity}\n"
+)
+ALL_TOLD = BARS.replace(" TOLD", ", b.angle: 90 deg").replace("PLACE", "50 cm")
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
     "damped fall": (
         ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
@@ -430,6 +438,12 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         + FALL.replace("rod.angle: -30 deg", "rod.angular_velocity: smallest")
         + "find: {x: rod.angular_velocity at low}\n",
     ),
+    "linkage that does not close": (ALL_TOLD.replace("d: 50 cm", "d: 60 cm"), ALL_TOLD),
+    "linkage of which an angle is missing": (
+        BARS.replace(" TOLD", "").replace("PLACE", "50 cm").replace("gravity: none\n", ""),
+        ALL_TOLD.replace("gravity: none\n", ""),
+    ),
+    "linkage between letters": (ALL_TOLD.replace("d: 50 cm", "d: m"), ALL_TOLD),
     "momentum of several wheels": (BOTH_WHEELS % "[one, two]", BOTH_WHEELS % "one"),
     "energy that comes to nothing": (
         BY_ENERGY.replace("LAW", "kinetic_energy: tau*cos(time/t1)^2"),

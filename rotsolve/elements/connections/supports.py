@@ -44,6 +44,7 @@ from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import amount, key
 
+Axis = tuple[Formula, ...]
 GIVEN = (*TURNING, *BY_INERTIA)  # the keys that give a turn
 
 
@@ -84,6 +85,8 @@ class Driven(Connection, frozen=True):
         default=None,
         plane=True,
     )
+
+    at: Axis = key("place", "where in the scene it holds to the ground, `[x, y]`", default=(), plane=True)
 
     def held(self) -> tuple[PointRef, ...]:
         """The bodies that turn about it."""
@@ -179,7 +182,6 @@ class Driven(Connection, frozen=True):
         yield Couple(self.name, FRICTION, name, signed(most, turn), "friction torque", most, against)
 
 
-Axis = tuple[Formula, ...]
 GROUND = PointRef("ground")
 
 
