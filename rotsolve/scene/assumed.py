@@ -36,5 +36,5 @@ def small_beside(scope: Scope, node: Node, word: str) -> list[str]:
 
 def faulted(scope: Scope, node: Node, message: str, help: str) -> list[str]:
     """Nothing, with a fault at the place."""
-    scope.fault(node, message, help, "limits")
+    scope.fault(node, message, help, "form")
     return []
