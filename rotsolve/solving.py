@@ -16,7 +16,7 @@ from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.block import left_out
-from rotsolve.language.problem import EXTREMES, Find, Path, Problem, Term, TimeValue, before
+from rotsolve.language.problem import COMES_TO, Find, Path, Problem, Term, TimeValue, before
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import sticks_at_last, with_hereafter
 from rotsolve.motion.rubs import rough_blows, rubs
@@ -166,7 +166,7 @@ def nears(search: Search) -> bool:
         return True
     lines = (line for state in search.scene.configuration.problem.states for line in state.conditions)
     travels = (travel for over in search.scene.passages.values() for travel in over.travels)
-    return any(line.word in EXTREMES for line in lines) or any(
+    return any(line.word in COMES_TO for line in lines) or any(
         travel.pace not in (CONSTANT, TIME) for travel in travels
     )
 

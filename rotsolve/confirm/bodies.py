@@ -15,6 +15,7 @@ from rotsolve.language.bodies import Body, Part
 
 Value = Callable[[Formula], float]
 Spot = tuple[float, float]
+ALIKE = 1e-6  # by how much of itself a mass may differ from what its density makes of it
 SPATIAL = {
     "rim": (1.0, 0.0),
     "top": (0.0, 1.0),
@@ -90,10 +91,22 @@ def own(body: Body, value: Value) -> Mass:
             return Mass(0.0, 0.0, 0.0, 0.0)
         raise NotConfirmed(f"the mass of `{body.name}` has no number")
     mass = value(body.mass)
+    if not as_dense(body, value):
+        raise NotConfirmed(f"`{body.name}` has not the mass that its density tells")
     if body.holes and body.shape is not None:
         mass /= 1.0 - sum(share_cut_out(hole, body, value) for hole in body.holes)
     x, y = (value(part) for part in shape_of(body).centroid())
     return Mass(mass, mass * x, mass * y, own_inertia(body, mass, value) + mass * (x * x + y * y))
+
+
+def as_dense(body: Body, value: Value) -> bool:
+    """Whether a body that has a density has the mass that this and its size make."""
+    shape = shape_of(body)
+    if body.mass is None or body.density is None or body.holes:
+        return True
+    mass = value(body.mass)
+    made = value(shape.measure()) if shape.graded else value(body.density) * value(shape.content())
+    return abs(made - mass) <= ALIKE * abs(mass)
 
 
 def own_inertia(body: Body, mass: float, value: Value) -> float:

@@ -14,7 +14,7 @@ from rotsolve.confirm.jet import Jet, arctangent, distance
 from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
-from rotsolve.core.drive import TURNING
+from rotsolve.core.drive import BY_INERTIA, TURNING
 from rotsolve.elements.connections.contact import Contact, Rolls
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Mounted, Weld
@@ -110,6 +110,11 @@ def driven(item: Driven, refs: tuple[PointRef, ...], carrier: PointRef | None, p
             coordinate = turn + model.lean(ref) if word == "angle" else turn
             row = prescribed(item.name, f"torque_{ref}", coordinate, TURNING.index(word), sign, value, pose, model)
             yield row if word == given[-1][0] else replace(row, kind=f"{word}_{ref}", bend=None)
+        for word, value in ((word, getattr(item, word)) for word in BY_INERTIA):
+            if value is not None:
+                from rotsolve.confirm.couplings import led_by_inertia
+
+                yield led_by_inertia(item.name, ref, word, value, pose, model)
         if item.rubbing():
             size = rubs_with(item, pose, model)
             yield Grip(f"{item.name}.{ref}", held(item.name, f"torque_{ref}", turn, pose), size, size)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from fractions import Fraction
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.formula import Formula, Number
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.constraints import Held, prescribed
 from rotsolve.confirm.faces import laid, plates
-from rotsolve.confirm.jet import arctangent, distance
+from rotsolve.confirm.jet import Jet, arctangent, distance
 from rotsolve.confirm.pose import Pose, load
-from rotsolve.confirm.rows import Grip, held, unknown
+from rotsolve.confirm.rows import Grip, Row, held, unknown
 from rotsolve.confirm.signs import RIGHT, UP
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.elements.connections.drapes import Drapes
@@ -40,7 +43,12 @@ def guide(item: Guide, pose: Pose, model: Known) -> Held:
     """The keys of a body that prescribe its own motion: of its centre of mass, and its turn."""
     name = item.guided[0].owner
     centre = pose.place(name, model.seats[name].rigid.centre)
-    ordered = sorted(item.motions, key=lambda motion: (*TURNING, *TRAVELLING).index(motion[0]))
+    mass = Number(Fraction(model.seats[name].rigid.mass))
+    motions = [
+        ("velocity", axis, told / mass) if word == "momentum" else (word, axis, told)
+        for word, axis, told in item.motions
+    ]
+    ordered = sorted(motions, key=lambda motion: (*TURNING, *TRAVELLING).index(motion[0]))
     last = {
         component: word for word, component, _ in ordered
     }  # of several words the highest rate tells the acceleration
@@ -51,6 +59,32 @@ def guide(item: Guide, pose: Pose, model: Known) -> Held:
             sign, coordinate, order = 1, centre["xy".index(component or "x")], TRAVELLING.index(word)
         row = prescribed(item.name, component or "torque", coordinate, order, sign, value, pose, model)
         yield row if last[component] == word else replace(row, kind=f"{word}{component}", bend=None)
+
+
+def led_by_inertia(owner: str, name: str, word: str, value: Formula, pose: Pose, model: Known) -> Row:
+    """A rate that a given L or K of all that turns about an axis tells: L = ω Σ (I + m d²), K = ½ ω² Σ (I + m d²)."""
+    target, turn, sense = model.running(value, pose), pose.turn(name), model.sense(name)
+    told = target if isinstance(target, Jet) else Jet(target)
+    inertia = sum(about_axis_of(name, other, pose, model) for other in model.joined_to(name))
+    if word == "angular_momentum":
+        rate, faster = told.value / inertia, told.rate / inertia
+    else:
+        if told.value < 0.0:
+            raise NotConfirmed(f"`{name}` would have less than no kinetic energy")
+        rate = math.sqrt(2.0 * told.value / inertia)
+        if rate == 0.0 and told.rate != 0.0:
+            raise NotConfirmed(f"the torque on `{name}` has no bounds where it starts")
+        faster = (
+            told.rate / (inertia * rate) if rate else math.sqrt(max(told.bend / inertia, 0.0))
+        )  # K = ½ K̈ t² from rest on
+    return Row(owner, f"torque_{name}", turn.slope, sense * rate, sense * faster - turn.bend, turn.slope)
+
+
+def about_axis_of(name: str, other: str, pose: Pose, model: Known) -> float:
+    """I + m d² of a body about the axis of another one with which it is joined."""
+    rigid = model.seats[other].rigid
+    (x, y), (u, w) = pose.place(name, model.axis(name)), pose.place(other, rigid.centre)
+    return rigid.inertia + rigid.mass * ((x.value - u.value) ** 2 + (y.value - w.value) ** 2)
 
 
 def belt(item: Belt, pose: Pose, model: Known) -> Held:

@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, radius_of
-from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, sine
+from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
@@ -96,8 +96,7 @@ def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) 
     rate = rate_of(path, pose, model)
     if rate is not None:
         slope, sign = rate
-        speed = (2 * math.pi / value if path.quantity == "period" else value) * sign
-        yield Stated(slope, None, speed, name, sized=path.quantity == "speed")
+        yield Stated(slope, None, goal_of(path, value) * sign, name, sized=path.quantity in SIZED)
         return
     place = placed_value(path, pose, model)
     if place is None and path.quantity == "length":
@@ -108,6 +107,16 @@ def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) 
     if path.quantity == "angle" and path.owner not in model.seats and not wound_by(path.owner, model):
         gap = math.remainder(gap, 2 * math.pi)
     yield Stated(place.slope, gap, None, name)
+
+
+SIZED = ("speed", "kinetic_energy")  # what tells how fast, and not which way
+
+
+def goal_of(path: Path, value: float) -> float:
+    """What a rate is to become by a line: of a period 2 π/T, of a kinetic energy √(2 K)."""
+    if path.quantity == "kinetic_energy":
+        return math.sqrt(max(2.0 * value, 0.0))
+    return 2 * math.pi / value if path.quantity == "period" else value
 
 
 def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
@@ -249,7 +258,7 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
             place = pointed(path, pose, model)
             way = direction(path, place, pose, model)
             return None if way is None else (load(place, way), 1.0)
-        return None
+        return momentum_rate(path, pose, model)
     if word == "angular_velocity":
         item = next((item for item in model.acting.connections if item.name == name), None)
         owners = [ref.owner for ref in (item.between() or item.touches()) if ref.owner in model.seats] if item else []
@@ -259,6 +268,31 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
         if owners:
             return {model.seats[owners[-1]].turn: 1.0}, float(model.sense(owners[-1]))
     return None
+
+
+def momentum_rate(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
+    """Of a body p along its way, L about its axis or its centre of mass, or √(2 K), where its turn or its travel alone makes that."""
+    name, seat = path.owner, model.seats[path.owner]
+    if path.point is not None:
+        return None
+    centre = pose.place(name, seat.rigid.centre)
+    if path.quantity == "momentum":
+        way = {"x": RIGHT, "y": UP}.get(path.component or "") or model.way(name)
+        return None if way is None else (merged(load(centre, way), seat.rigid.mass, {}, 0.0), 1.0)
+    inertia, arm = seat.rigid.inertia, (0.0, 0.0)
+    if name in model.held:
+        x, y = pose.place(name, model.axis(name))
+        arm = centre[0].value - x.value, centre[1].value - y.value
+    if path.quantity == "angular_momentum" and path.component in (None, "z"):
+        across = load(centre, (-arm[1] * seat.rigid.mass, arm[0] * seat.rigid.mass))
+        return merged({seat.turn: inertia}, 1.0, across, 1.0), float(model.sense(name))
+    if path.quantity != "kinetic_energy":
+        return None
+    if name in model.held:
+        about_axis = inertia + seat.rigid.mass * (arm[0] ** 2 + arm[1] ** 2)
+        return {seat.turn: math.sqrt(about_axis)}, float(model.sense(name))
+    straight = model.way(name) if not model.turns(name) else None
+    return None if straight is None else (merged(load(centre, straight), math.sqrt(seat.rigid.mass), {}, 0.0), 1.0)
 
 
 def pointed(path: Path, pose: Pose, model: Known) -> Pair:

@@ -139,7 +139,8 @@ class Answer(Struct, frozen=True):
     size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.
     Of letters it holds under `conditions`; `otherwise` has the answers under others. `weighed` is what a choice compared, in its order;
     `until` is the state on the way up to which a function of time holds. Of a letter of the scene `rivals` are other roots of the equation
-    that gave it. Of letters that leave its direction open `pointing` says with which it is which: "right if R > r".
+    that gave it. Of letters that leave its direction open `pointing` says with which it is which: "right if R > r". `leading` is what it
+    comes to where a letter is small beside another, as the scene assumes.
     """
 
     name: str
@@ -162,6 +163,7 @@ class Answer(Struct, frozen=True):
     until: str = ""
     rivals: tuple[Formula, ...] = ()
     pointing: Words = ()
+    leading: Words = ()
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:

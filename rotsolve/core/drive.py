@@ -14,12 +14,14 @@ from rotsolve.core.vectors.heading import Heading
 
 TURNING = ("angle", "angular_velocity", "angular_acceleration")
 TRAVELLING = ("position", "velocity", "acceleration")
+BY_INERTIA = ("angular_momentum", "kinetic_energy")  # of a turn, by which the moment of inertia tells its rate
 
 
 class Drive(Struct, frozen=True):
     """What is given of a body: one of the words of TURNING, or of TRAVELLING with the component x or y.
 
-    An angle counts counterclockwise; its rates, given or worked out, count along the body's positive turn `sense`.
+    An angle counts counterclockwise; its rates, given or worked out, count along the body's positive turn `sense`. A rate may be `told`
+    by what inertia makes of it: a momentum or a kinetic energy, with its formula of `time`.
     """
 
     owner: str
@@ -28,6 +30,7 @@ class Drive(Struct, frozen=True):
     function: Formula
     component: str = ""
     sense: int = 1
+    told: tuple[str, Formula] | None = None
 
     @property
     def kinds(self) -> tuple[str, str, str]:

@@ -313,6 +313,16 @@ QUANTITIES: dict[str, QuantityKind] = {
 }
 INSIDE = ("bending_moment", "shear", "compression")  # what acts at a cut through a rod
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")  # of a phase
+MEAN_OF = {  # what the mean of a quantity is the mean of, over time
+    "power": "work",
+    "angular_velocity": "rotation",
+    "velocity": "displacement",
+    "speed": "distance",
+    "acceleration": "velocity",
+    "angular_acceleration": "angular_velocity",
+    "force": "impulse",
+    "torque": "angular_impulse",
+}
 VECTORS = (  # what has three components in space
     "position",
     "displacement",

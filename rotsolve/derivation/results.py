@@ -10,8 +10,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Product, Quotient, Symbol
+from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Number, Product, Quotient, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
@@ -28,6 +29,9 @@ from rotsolve.questions.find import Asked, component
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found
+
+DIGITS_OF_LEADING = 4
+FAR_OFF = 0.5  # of the exact value, by which a leading term that is told may be off
 
 
 def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:
@@ -151,7 +155,36 @@ class Results(Struct, frozen=True):
             until=self._until(answered),
             rivals=self._rivals(asked),
             pointing=self.letters.words(ways.condition() if value is None and not direction else ()),
+            leading=self._leading(found, unit),
         )
+
+    def _leading(self, found: Found, unit: Unit | None) -> Words:
+        """ "≈ 2 m g/M = 0.0392 m/s² for m ≪ M", of what the scene assumes to be small."""
+        problem = self.search.scene.configuration.problem
+        if problem.space or not problem.assume or found.formula is None or has_quantities(found.formula):
+            return ()
+        from rotsolve.derivation.leading import leading_order, pairs_of
+
+        pairs = [pair for pair in pairs_of(problem.assume) if pair[0] in found.formula.symbols()]
+        if not pairs:
+            return ()
+        said: list[str | Formula] = []
+        for small, large in pairs:
+            said += [" and " if said else "", Symbol(small), " ≪ ", Symbol(large)]
+        term = leading_order(found.formula, pairs, self.search.signs.positive)
+        if term is None:
+            return ("no leading term is found for ", *said)
+        if is_zero(term - found.formula):
+            return ()
+        number, exact = (
+            self.value(side / (unit.factor if unit is not None else ONE)) for side in (term, found.formula)
+        )
+        if number is not None and exact is not None and abs(number.float - exact.float) > FAR_OFF * abs(exact.float):
+            return ("with these numbers no leading term is near it for ", *said)
+        worth: Words = ()
+        if number is not None and not isinstance(term, Number):
+            worth = (f" = {(unit.after if unit is not None else str)(number.text(DIGITS_OF_LEADING))}",)
+        return ("≈ ", self.letters.printed(self.search.solver.simplify(term)), *worth, " for ", *said)
 
     def _rivals(self, asked: Asked) -> tuple[Formula, ...]:
         """What else the equation lets a letter of the scene be that a question settles."""

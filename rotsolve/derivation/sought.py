@@ -11,7 +11,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.headings import moment_title
-from rotsolve.language.problem import ANY_TIME, Find, Term
+from rotsolve.language.problem import ANY_TIME, Find, Path, Term
 from rotsolve.motion.timeline import Timeline
 from rotsolve.paths.meaning import label_of
 
@@ -123,11 +123,12 @@ def observed_in(term: Term) -> str:
 
 
 def moment_words(term: Term, timeline: Timeline) -> str:
-    """At which state, or between which, where a scene has several."""
+    """At which state, or between which, where a scene has several; by what way or turn a mean is taken."""
     if len(timeline.named) < 2:
         return ""
     if term.start is not None and term.end is not None:
-        return f" from {spoken(term.start)} to {spoken(term.end)}"
+        by = f" by the {term.by.quantity} of {spoken(term.by.owner)}" if isinstance(term.by, Path) else ""
+        return f"{by} from {spoken(term.start)} to {spoken(term.end)}"
     if term.during is not None:
         return f" in the {spoken(term.during)}"
     if term.at is None or term.at == ANY_TIME or term.at not in timeline.order:

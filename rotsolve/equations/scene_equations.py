@@ -102,8 +102,9 @@ class SceneEquations(Struct, dict=True):
         return iter(())
 
     def idle_assumptions(self, used: Collection[Equation]) -> Iterator[str]:
-        """The assumptions of a scene that leave nothing out of the equations that are used: none in the plane, where there are none."""
-        return iter(())
+        """The assumptions of a scene that leave nothing out of the equations that are used: what is small stands in none of them."""
+        letters = {name for equation in used for name in equation.symbols()}
+        return (word for word in self.configuration.problem.assume if word.split()[0] not in letters)
 
     def unwritten_law(self) -> Fault | None:
         """Why a law of a body of a scene in space could not be written; None in the plane, where all are."""
@@ -253,6 +254,8 @@ class SceneEquations(Struct, dict=True):
     def _written(self) -> Iterator[Equation]:
         """All that the states say and the laws write, in the order of time within each kind."""
         yield from (equation for equation, _ in self.stated)
+        if any(body.density is not None for body in self.configuration.problem.bodies):
+            yield from self.reader(self.configuration.timeline.states[0].name).masses_told_twice()
         for state in self.configuration.timeline.states:
             yield from self._moment(state)
         for interval in self.configuration.timeline.intervals:

@@ -13,10 +13,11 @@ from rotsolve.core.equation import STATED, Equation
 from rotsolve.core.facts import signed
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import has_quantities, is_key, is_quantity, paths_in
+from rotsolve.core.symbols import CONSTANT, RATE, has_quantities, is_key, is_quantity, paths_in
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import EXTREMES, Condition, Path, State
+from rotsolve.language.noted import unread
+from rotsolve.language.problem import COMES_TO, SETTLES, Condition, Path, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
@@ -226,6 +227,11 @@ class Statements(Struct):
                 prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
         while self._put_in():
             pass
+        if any("at" in unread(item) or getattr(item, "at", None) for item in self.configuration.problem.connections):
+            from rotsolve.equations.closing import check_closed
+
+            for state in self.configuration.timeline.states:
+                check_closed(state, self.fixed.instant(state.name))
         return self.stated
 
     def _as_drawn(self, state: str) -> None:
@@ -291,10 +297,12 @@ class Statements(Struct):
         elif condition.word == "slips" and (verge := self._verge(path.owner, state.name)):
             label = f"{spoken(path.owner)} is on the point of slipping"
             self._state(*verge[0][:2], state.name, label, condition, cost=2)
-        elif condition.word in EXTREMES:
+        elif condition.word in COMES_TO:
             rate = RATE_OF.get(path.quantity)
             if rate is None:
                 raise NotYet(f"`{condition.word}` of `{path.quantity}` is not solved yet")
+            if condition.word == SETTLES:
+                self._check_settling(state, path.owner)
             self._claim(self._letter(state.name, replace(path, quantity=rate)), ZERO, state.name, condition)
         elif value is not None and path.quantity != "time":
             if path.quantity == "turns":
@@ -306,6 +314,15 @@ class Statements(Struct):
                 self.told.append((letter.name, condition))
                 self.fixed.registry.spoken_of.difference_update({letter.name} - before)
 
+    def _check_settling(self, state: State, owner: str) -> None:
+        """A speed settles where the forces go by it; what goes by the time or by its place is at most without a push for a moment."""
+        before = self.configuration.timeline.before(state.name)
+        name = self.configuration.host(owner, state.name) if owner in self.configuration.bodies else owner
+        pace = "" if before is None or before.event is not None else self.configuration.pace(name, before.start)
+        if pace not in (RATE, CONSTANT):
+            message = f"`{owner}` settles at `{state.name}` only where what drives it goes by its speed"
+            raise NotYet(message, state.span, "give the `time` of a later state, or say `largest` or `smallest`")
+
     def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
         """Fix a letter that is free; what is known otherwise becomes an equation."""
         moved = moved_letter(letter)
@@ -316,8 +333,9 @@ class Statements(Struct):
             path = condition.path
             label = "given" if not letter.symbols() else self._label(path) if path is not None else "stated"
             before = self.configuration.timeline.before(state)
-            if condition.word in EXTREMES and path is not None:
-                label = f"where the {spoken(path.quantity)} is {condition.word}, its rate is zero"
+            if condition.word in COMES_TO and path is not None:
+                does = condition.word if condition.word == SETTLES else f"is {condition.word}"
+                label = f"where the {spoken(path.quantity)} {does}, its rate is zero"
                 state = before.name if before is not None else state  # it tells how long the phase takes
             self._state(letter, value, state, label, condition, cost=1 if isinstance(letter, Symbol) else 2)
 

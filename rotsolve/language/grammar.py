@@ -30,7 +30,9 @@ SECTIONS: dict[str, Key] = {
     "phases": Key("map", "what differs between two states"),
     "events": Key("map", "what happens in no time between two states"),
     "assume": Key(
-        "texts", "approximations: `fast spin` (in space): the spin of a top is much faster than its precession"
+        "texts",
+        "approximations: `fast spin` (in space): the spin of a top is much faster than its precession; in the plane `m << M`: "
+        "the leading term is told beside each answer",
     ),
     "find": Key("map", "what is asked", required=True),
     "answers": Key("map", "published answers, by the names of `find`"),
@@ -77,6 +79,7 @@ BODY: dict[str, Key] = {
     "acceleration": Key(
         "motion", "prescribed acceleration `[ax, ay]`", dimension="acceleration", letter="a", varies=True
     ),
+    "momentum": Key("motion", "given momentum `[px, py]`", dimension="momentum", letter="p", varies=True),
     "angle": Key("motion", "prescribed angle", dimension="angle", letter="theta", varies=True),
     "angular_velocity": Key(
         "motion", "prescribed angular velocity", dimension="angular velocity", letter="omega", varies=True

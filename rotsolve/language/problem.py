@@ -99,6 +99,9 @@ class Phase(Struct, frozen=True):
 
 
 EXTREMES = ("largest", "smallest")
+SMALL_BESIDE = "<<"  # between two letters of `assume`: the first is small beside the second
+SETTLES = "settles"  # of a velocity: what it comes ever closer to, whether from above or from below
+COMES_TO = (*EXTREMES, SETTLES)  # what a state may say of a quantity whose rate is nothing there
 MODE = "mode "  # with its number the modifier of what is asked of one of several ways in which bodies swing
 ANY_TIME = "any time"  # in place of a state: the moment that runs through a phase
 
@@ -110,6 +113,7 @@ class Term(Struct, frozen=True):
     In space components are asked in `axes` (space, body, node, or those of a body that is named) and `relative` to a body; of an
     `angle of` two vectors `other` is the second.
     'small swings' or 'mode 1' (`at` an equilibrium) or 'swings' (from `start`); of a `ratio of` two amplitudes `other` is the second.
+    A mean may be taken `by` a turn or a way, a path; of an inertia `by` is the word for how it is found.
     A `time from A to B` has path.quantity 'time'. `at` names one state or is ANY_TIME, `during` a phase or event, `start`/`end` two states.
     """
 
@@ -121,7 +125,7 @@ class Term(Struct, frozen=True):
     end: str | None = None
     about: PointRef | None = None
     along: Formula | str | tuple[Formula, ...] | None = None
-    by: str | None = None
+    by: str | Path | None = None
     axes: str | None = None
     relative: str | None = None
     other: Term | None = None

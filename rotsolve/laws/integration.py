@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
+from rotsolve.algebra.calculus.integral import carried_out
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Sum, Symbol, multiply
 from rotsolve.core.derivation import NEXT, Words
@@ -77,6 +78,8 @@ def mass(spread: Spread, piece: RigidPiece) -> tuple[Formula, Steps]:
     if piece.shape.tabled:
         return spread.mass, ()
     sigma, steps = density(spread, piece)
+    if piece.shape.graded and spread.mass != piece.shape.measure():  # told too
+        return spread.mass, ()
     letter = spread.letter("mass")
     if piece.shape.graded:
         cut = sliced(spread, piece)
@@ -86,6 +89,20 @@ def mass(spread: Spread, piece: RigidPiece) -> tuple[Formula, Steps]:
         return spread.mass, ()
     extent, steps = content(spread, piece)
     return letter, (*steps, spread.define(letter, sigma * extent, "mass"))
+
+
+def mass_beside_density(spread: Spread, sigma: Formula) -> Iterator[Equation]:
+    """M = σ A, or ∫ dm, of a body of which the scene tells both: it says how large is what is not told."""
+    piece = spread.pieces[0]
+    if piece.shape.graded:
+        if spread.mass != piece.shape.measure():
+            cut = sliced(spread, piece)
+            integral = cut.total(ONE, spread.tidy)
+            whole = carried_out(integral, spread.positive)  # what stands in an integral can not be solved for
+            said = (*elements(spread, cut, ONE), NEXT, "Their sum is M = ", integral, ".")
+            yield spread.define(spread.mass, whole, "mass, M = ∫ dm", said, INTEGRATED)
+    elif not is_zero(spread.mass - (whole := simplify(sigma * piece.shape.content()))):
+        yield spread.define(spread.mass, whole, f"mass, density times {EXTENTS[piece.shape.spread][1]}")
 
 
 def centre_letter(spread: Spread, piece: RigidPiece, axis: str) -> tuple[Formula, Steps]:

@@ -91,12 +91,19 @@ def rate_in_letters(given: GivenMotion, word: str) -> str:
     return f"{names[k]} = d{names[k - 1]}/dt"
 
 
+MADE_OF = {"angular_momentum": "L = I ω", "kinetic_energy": "K = ½ I ω²", "momentum": "p = m v"}
+
+
 def chain(given: GivenMotion, word: str, functions: dict[str, Formula]) -> Words:
     """θ = c t³, ω = 3 c t², α = 6 c t at t = t₁: the functions from the given one on, and when they are taken."""
     drive, now = given.drive, given.time
     upto = list(functions)[: list(functions).index(word) + 1]
     said = upto if now != Symbol(TIME) else upto[:-1]
     parts: list[str | Formula] = []
+    if drive.told is not None:
+        what, formula = drive.told
+        axis = Symbol("_".join(filter(None, (QUANTITIES[what].letter, drive.component))))
+        parts = [axis, " = ", formula, ", " + MADE_OF[what]]
     for name in said:
         letter = "x" if name == "position" else QUANTITIES[name].letter
         indexed = Symbol(

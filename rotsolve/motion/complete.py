@@ -10,9 +10,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, total
 from rotsolve.algebra.units.dimension import DIMENSIONS
+from rotsolve.core.drive import Drive
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import has_quantities, paths_in
+from rotsolve.core.symbols import TIME, has_quantities, paths_in
 from rotsolve.elements.connections import guide
 from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
 from rotsolve.language.elements import Action, Connection
@@ -36,12 +37,26 @@ def check_values(configuration: Configuration) -> None:
         check_rigid(configuration, state.name)
         items = configuration.connections(state.name)
         for host in {configuration.host(owner, state.name): None for item in items for owner, *_ in item.prescribes()}:
-            configuration.drives(host, state.name)  # refuses what can not be driven so
+            for drive in configuration.drives(host, state.name):  # refuses what can not be driven so
+                check_bounded(drive, configuration)
         instant = Instant(configuration, Registry(), state.name)
         for item in configuration.acting(state.name):
             for value in varying_values(item):
                 for path in paths_in(value):
                     check_path(item, path, instant)
+
+
+def check_bounded(drive: Drive, configuration: Configuration) -> None:
+    """What is given has an acceleration when the clock starts, not one without bounds as that of √time."""
+    first = configuration.timeline.states[0]
+    try:
+        for function in drive.rates().values():
+            if TIME in function.symbols():
+                simplify(function.substitute({TIME: ZERO if first.time_told is None else first.time_told}))
+    except ZeroDivisionError:
+        message = f"what is given of `{drive.body}` changes beyond all bounds when the clock starts"
+        help = "let the clock start later: `time: 1 s` in the first state"
+        raise Unsolvable(message, span=configuration.bodies[drive.body].span, help=help) from None
 
 
 def check_path(item: Connection | Action, path: tuple[str, str, str], instant: Instant) -> None:
@@ -110,8 +125,8 @@ def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body
         return body if mass is not None else replace(body, mass=letters.make("m", body.name, "mass"))
     if body.density is not None and shape is not None and has_quantities(body.density):
         shape = Graded(letters.positive, shape, body.density)
-        mass = shape.measure()
-    elif body.density is not None and shape is not None:
+        mass = body.mass or shape.measure()
+    elif body.density is not None and shape is not None and mass is None:
         whole, *cut = materials(replace(body, shape=shape, holes=holes)) if holes else (ONE,)
         left = (whole - total(cut)) / whole
         mass = body.density * (shape.content() if not holes else simplify(shape.content() * left))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.drive import TURNING, Drive, along_line
+from rotsolve.core.drive import BY_INERTIA, TURNING, Drive, along_line
 from rotsolve.core.facts import Whirl, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
@@ -255,6 +255,11 @@ class Configuration(Arrangement, frozen=True, dict=True):
             for owner, word, component, function in item.prescribes()
             if self.host(owner, state) == host
         )
+        if any(drive.word in (*BY_INERTIA, "momentum") for drive in found):
+            from rotsolve.motion.moments import by_inertia
+
+            told = (*BY_INERTIA, "momentum")
+            found = tuple(by_inertia(drive, self, state) if drive.word in told else drive for drive in found)
         if not any(drive.component for drive in found):
             return found
         if self.cluster(host, state):
@@ -270,7 +275,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
     def _of_host(self, owner: str, word: str, function: Formula, state: str) -> Formula:
         """What is given of the turn of a body that another stands for, as that one counts it."""
         host = self.host(owner, state)
-        if host == owner or word not in TURNING:
+        if host == owner or word not in (*TURNING, "angular_momentum"):
             return function
         if word == "angle":
             span, help = self.bodies[owner].span, f"give the angle of `{host}`"

@@ -20,7 +20,8 @@ from rotsolve.core.passage import Approach, Encounter, Meeting
 from rotsolve.core.symbols import is_key, key_of, rub_key
 from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.language.bodies import PointRef
-from rotsolve.motion.freebody import free_bodies, moment_of_inertia
+from rotsolve.motion.freebody import free_bodies
+from rotsolve.motion.moments import moment_of_inertia
 from rotsolve.motion.rigid import tidy
 from rotsolve.motion.rubs import STICKS, in_one_body
 
@@ -208,7 +209,7 @@ def meeting(body: BodyFacts, first: Instant, last: Instant, after: Facts, place:
     if body.inertia is not None:
         inertia = body.inertia.letter
     elif motion.turns:  # what did not turn before may after
-        inertia = moment_of_inertia(first.body(body.name), first, first.frame(body.name)).formula
+        inertia = moment_of_inertia(first.body(body.name), first.configuration, first.state, first.registry).formula
     else:
         inertia = ZERO
     lines = body.motion.kind == motion.kind == "line" and body.motion.heading == motion.heading

@@ -17,23 +17,20 @@ from rotsolve.core.facts import (
     Facts,
     Force,
     GivenMotion,
-    Inertia,
     Motion,
     Potential,
     Requirement,
     Rule,
     Summed,
 )
-from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, Vector, unit
+from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import supporting
-from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.footing import footings, on_parts
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import Frame, mass_of, moment_about, sweep, tidy
+from rotsolve.motion.moments import moment_of_inertia
+from rotsolve.motion.rigid import mass_of, sweep
 
 Told = TypeVar("Told", Rule, Potential)
 
@@ -121,7 +118,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
     """One body at an instant."""
     motion, own = instant.motion(body.name), instant.frame(body.name)
     carried = instant.configuration.carried(body.name, instant.state)
-    inertia = moment_of_inertia(body, instant, own) if motion.turns else None
+    inertia = moment_of_inertia(body, instant.configuration, instant.state, instant.registry) if motion.turns else None
     return BodyFacts(
         body.name,
         total([mass_of(instant.body(name)) for name in carried]),
@@ -177,68 +174,3 @@ def positive_sense(body: Body, instant: Instant) -> str:
     line = instant.line(body.name) if motion.kind == "line" else None
     travel = line[1] if line else "right, up" if motion.kind == "plane" else ""
     return ", ".join(part for part in (travel, instant.turn_words(body.name)[0] if motion.turns else "") if part)
-
-
-def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
-    """The letter for the moment of inertia about the reference, with its formula; a given one is its own letter."""
-    carried = instant.configuration.carried(body.name, instant.state)
-    members = carried[1:]
-    held = instant.configuration.pivot(body.name, instant.state) is not None
-    point = own.reference if held or not own.cm.parts else own.reference + own.cm
-    formula, remark = moment_about(own.pieces, point, instant.configuration.order)
-    if formula == ZERO:
-        return Inertia(ZERO, ZERO, "")
-    letter = given_inertia(body, own, bool(members)) or given_together(carried, point, own, instant)
-    label = inertia_label(body, instant, own, members)
-    if letter is None:
-        kind = QUANTITIES["inertia"]
-        since = instant.configuration.since(body.name, instant.state)
-        changes = any(instant.configuration.since(body.name, state) for state in instant.configuration.timeline.order)
-        name = f"{kind.letter}_total" if members and not changes else kind.letter
-        when = since or (instant.configuration.timeline.states[0].name if changes else "")
-        version = " ".join(part for part in (when, point_of_time(body.name, instant)) if part)
-        letter = instant.registry.ask(SceneQuantity("inertia", "+".join(carried), "", version, name, kind.dimension))
-    return Inertia(letter, formula, label, remark)
-
-
-def point_of_time(name: str, instant: Instant) -> str:
-    """The point about which a body turns at this state, where it turns about another one, or freely, at other states."""
-    configuration = instant.configuration
-    pivots = {configuration.pivot(name, state.name) for state in configuration.timeline.states}
-    pivot = configuration.pivot(name, instant.state)
-    return pivot.point or "center" if pivot is not None and len(pivots) > 1 else ""
-
-
-def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:
-    """The moment of inertia where the scene gives it for just this axis, so that nothing is left to define."""
-    simple = body.inertia is not None and not own.cm.parts and not joined and not body.parts and not body.holes
-    return body.inertia if simple else None
-
-
-def given_together(carried: tuple[str, ...], point: Vector, own: Frame, instant: Instant) -> Formula | None:
-    """I₁ + I₂ of bodies that turn as one about their common axis, where the scene gives each of them."""
-    given = [instant.body(name).inertia for name in carried]
-    on_axis = all(not tidy(piece.at - point).parts for piece in own.pieces)
-    if len(given) < 2 or not on_axis or len(own.pieces) != len(given):
-        return None
-    return total([inertia for inertia in given if inertia is not None]) if None not in given else None
-
-
-def inertia_label(body: Body, instant: Instant, own: Frame, members: tuple[str, ...]) -> str:
-    """Words for a moment of inertia, such as "rod about its end"."""
-    shape = shape_of(body)
-    noun = shape.noun or shape.word
-    if members or body.parts or shape.pointlike:
-        noun = spoken(body.name)
-    if members:
-        noun += " with " + " and ".join(spoken(name) for name in members)
-    pivot = instant.configuration.pivot(body.name, instant.state)
-    if any(instant.configuration.ride(name, instant.state) for name in members):
-        return f"moment of inertia, {noun}"
-    if not own.cm.parts:
-        return f"moment of inertia, {noun}" + (" about its centre" if shape.slender else "")
-    if pivot is None:
-        return f"moment of inertia, {noun} about the centre of mass"
-    if shape.slender and pivot.point in ("start", "end") and not members:
-        return f"moment of inertia, {noun} about its end"
-    return f"moment of inertia, {noun} about the {'axis' if shape.pointlike and not body.parts else 'pivot'}"

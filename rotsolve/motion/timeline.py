@@ -10,10 +10,10 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import INSIDE, OSCILLATING
+from rotsolve.core.quantity import INSIDE, MEAN_OF, OSCILLATING
 from rotsolve.elements.at_once import event_between
 from rotsolve.language.elements import Connection, Event
-from rotsolve.language.problem import Path, Problem, State, references
+from rotsolve.language.problem import Path, Problem, State, Term, references
 from rotsolve.motion.lifted import lifted
 
 OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
@@ -163,6 +163,11 @@ MEAN = ("mean", "speed")
 RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
 
 
+def asks_integral(term: Term) -> bool:
+    """Whether a mean is asked of which the laws have no sum: it is an integral over the quantity, at any moment of its phases."""
+    return term.modifier == "mean" and (isinstance(term.by, Path) or term.path.quantity not in MEAN_OF)
+
+
 class Mentions(Struct, frozen=True, dict=True):
     """The quantities that a problem's states and questions name."""
 
@@ -179,7 +184,10 @@ class Mentions(Struct, frozen=True, dict=True):
         """Whether what it asks takes the laws at any moment of a phase: functions of time, whole ways, extremes."""
         terms = [term for find in self.problem.finds for term in find.terms if find.where is None]
         return self.functions or any(
-            term.modifier in RUNNING or term.path.quantity == "distance" or (term.modifier, term.path.quantity) == MEAN
+            term.modifier in RUNNING
+            or term.path.quantity == "distance"
+            or (term.modifier, term.path.quantity) == MEAN
+            or asks_integral(term)
             for term in terms
         )
 

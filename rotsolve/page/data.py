@@ -139,6 +139,7 @@ def answer_data(answer: Answer, digits: int) -> dict[str, Any]:
         "remark": plain_text(answer.remark),
         "components": [answer_data(component, digits) for component in answer.components],
         **({"rows": [[entry.name for entry in row] for row in answer.rows]} if answer.rows else {}),
+        **({"leading": plain_text(answer.leading)} if answer.leading else {}),
         **({"pointing": plain_text(answer.pointing)} if answer.pointing else {}),
         **({"conditions": [equality_data(one) for one in answer.conditions]} if answer.conditions else {}),
         **({"otherwise": [answer_data(other, digits) for other in answer.otherwise]} if answer.otherwise else {}),

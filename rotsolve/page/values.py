@@ -66,7 +66,10 @@ def answer_row(answer: Answer, digits: int) -> AnswerRow:
     """An answer: its exact form, its certified number, where it points, and what is not certain of it."""
     number, note = certified_digits(answer.value, digits)
     pointing = () if answer.conditions else answer.pointing  # what holds in a case alone may tell it
-    phrases = ((note,) if note else (), answer.remark, pointing, holding_if(answer))
+    held = {name for one in answer.conditions for name in one.left.symbols() | one.right.symbols()}
+    spoken_of = {name for part in answer.leading if isinstance(part, Formula) for name in part.symbols()}
+    leading = () if held & spoken_of else answer.leading  # a case may be one in which nothing is small
+    phrases = ((note,) if note else (), leading, answer.remark, pointing, holding_if(answer))
     notes = tuple(phrase for phrase in phrases if phrase)
     asides = tuple(text for text in (_pointing(answer, number, digits), answer.word) if text)
     if answer.rows:

@@ -143,6 +143,13 @@ class OfBodies(AtInstant, frozen=True):
             raise NotYet(f"`{path.owner}` has no radius")
         return radius
 
+    def length(self, path: Path, term: Term | None) -> Formula:
+        """Length of a rod, or along the axis of what is round."""
+        length: Formula | None = getattr(self.instant.body(path.owner).shape, "length", None)
+        if length is None:
+            raise NotYet(f"`{path.owner}` has no length")
+        return length
+
     def angular_momentum(self, path: Path, term: Term | None) -> Meant:
         """I ω + r × m v about the axis, its own centre of mass or a point; with a component, by the tensor; of a part its share."""
         self._refuse_on_shaft(path)
@@ -272,6 +279,7 @@ OF_BODIES: dict[str, Callable[[OfBodies, Path, Term | None], Meant]] = {  # what
     "force": OfBodies.force,
     "power": OfBodies.power,
     "radius": OfBodies.radius,
+    "length": OfBodies.length,
     "mass": OfBodies.mass,
     "inertia": OfBodies.spread,
     "gyration": OfBodies.spread,

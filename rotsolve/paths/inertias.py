@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Inertia
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, heading
@@ -18,7 +20,7 @@ from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws import inertia
 from rotsolve.laws.centre_of_mass import Told, Unknown, arm_of, centre
-from rotsolve.laws.integration import NotSliced, mass
+from rotsolve.laws.integration import NotSliced, mass, mass_beside_density
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import Frame, centre_of_mass, locate, pieces, rise, tidy
 from rotsolve.motion.spread import Spread
@@ -41,6 +43,13 @@ class OfInertias(AtInstant, frozen=True):
         return Meaning(
             told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions, law=told.law
         )
+
+    def masses_told_twice(self) -> Iterator[Equation]:
+        """What the mass and the density of a body say together, where the scene tells both."""
+        configuration = self.instant.configuration
+        for body in configuration.present(self.instant.state):
+            if body.density is not None:
+                yield from mass_beside_density(self._spread(body.name, None), body.density)
 
     def is_flat(self, name: str, term: Term) -> bool:
         """Whether the centres of mass of all pieces lie at the height of the point about which is asked."""

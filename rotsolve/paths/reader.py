@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
-from rotsolve.core.equation import KINETIC_ENERGY
+from rotsolve.core.equation import KINETIC_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import of_kinds
@@ -299,6 +299,12 @@ class PathReader(AtInstant, frozen=True):
         from rotsolve.paths.inertias import OfInertias
 
         return OfInertias(self.instant, self.facts).is_flat(name, term)
+
+    def masses_told_twice(self) -> Iterator[Equation]:
+        """What the mass and the density of a body say together, where the scene tells both."""
+        from rotsolve.paths.inertias import OfInertias
+
+        return OfInertias(self.instant, self.facts).masses_told_twice()
 
     def _words(self, path: Path) -> tuple[str, str]:
         """The two directions of a signed quantity: of a component, or of a turn."""

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, Call, Formula, Number, Product, Symbol
-from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
+from rotsolve.algebra.formula import Call, Formula, Number, Product, Symbol
+from rotsolve.core.quantity import OSCILLATING, SPANNED
 from rotsolve.core.symbols import MOMENTUM_SIZE, is_key, key_of
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.grammar import ANGLE_OF
@@ -19,16 +19,6 @@ if TYPE_CHECKING:
 
 DIFFERENCE = ("change of", "lost")
 OF_A_MOMENT = ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
-SUMMED = {  # what the mean of a quantity is the mean of, over time
-    "power": "work",
-    "angular_velocity": "rotation",
-    "velocity": "displacement",
-    "speed": "distance",
-    "acceleration": "velocity",
-    "angular_acceleration": "angular_velocity",
-    "force": "impulse",
-    "torque": "angular_impulse",
-}
 
 
 def meaning_of(term: Term, scene: SceneEquations, beside: Beside | None = None) -> tuple[Meaning, str]:
@@ -102,6 +92,10 @@ def from_to(
         from rotsolve.questions.functions_of_time import extreme
 
         return extreme(term, *span(term, start, end, scene), scene, beside)
+    if term.path.quantity in SPANNED and term.modifier == "mean":
+        word = term.path.quantity
+        message = f"`{path_text(term.path)}` is that of a whole phase, and has no mean"
+        raise NotYet(message, term.path.span, f"leave `mean` out, or ask for the mean of what makes up the {word}")
     if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
         return spanned(term, start, end, scene)
     if term.modifier in DIFFERENCE and start and end:
@@ -109,6 +103,8 @@ def from_to(
 
         return change_or_loss(term, start, end, scene)
     if term.modifier == "mean" and start and end:
+        from rotsolve.questions.means import mean
+
         return mean(term, start, end, scene, beside)
     refuse_modifier(term)
     return at_state(term, scene)
@@ -146,19 +142,3 @@ def section_of_definition(path: Path, meaning: Meaning, state: str, scene: Scene
     """Where a definition is written: with the accelerations of a phase, or at its state."""
     moments = {key_of(name).when for name in meaning.formula.symbols() if is_key(name)}
     return state if path.quantity in OF_A_MOMENT or state in moments else scene.section(state)
-
-
-def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
-    """Mean over time: work over time for a power, angle or way over time for a rate, its change for an acceleration."""
-    from rotsolve.questions.spans import spanned
-
-    summed = SUMMED.get(term.path.quantity)
-    if summed is None:
-        raise NotYet(f"the mean of `{term.path.quantity}` is not solved yet")
-    duration, section = spanned(Term(Path("", "time")), start, end, scene)
-    path, modifier = replace(term.path, quantity=summed), "change of" if summed.endswith("velocity") else ""
-    amount, _ = meaning_of(replace(term, path=path, modifier=modifier, start=start, end=end), scene, beside)
-    kind, label = QUANTITIES[term.path.quantity], f"mean {term.path.quantity.replace('_', ' ')}"
-    vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
-    quotient = amount.formula / duration.formula
-    return Meaning(quotient, kind.dimension, vector, label=label, laws=amount.laws, plain=True), section

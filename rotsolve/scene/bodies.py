@@ -121,7 +121,7 @@ def build_body(
             fields.update(found)
         elif found is not None:
             fields[word] = found
-    check_exclusive(scope, name, entries, fields)
+    check_exclusive(scope, name, entries, fields, whole=not skip)
     known = {field: item for field, item in fields.items() if field in Body.__struct_fields__}
     body = Body(name, span=key.span, **known)
     if body.tensor is not None and body.shape is not None:
@@ -186,16 +186,21 @@ def read_motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Ite
             yield word, component, found
 
 
-def check_exclusive(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:
-    """What can't be said together."""
+def check_exclusive(scope: Scope, name: str, entries: Entries, fields: dict[str, Any], *, whole: bool) -> None:
+    """What can't be said together; a `whole` body, which is no part, may have a mass and a density."""
     if "gyration" in entries and "inertia" in entries:
         scope.fault(entries["gyration"][0], f"`{name}` has both `inertia` and `gyration`", "give one of them", "form")
     varies = any(is_coordinate(name) for name in (fields.get("density") or ZERO).symbols())
     if varies and "holes" in entries:
         message = f"`{name}` has holes and a density that varies"
         scope.fault(entries["holes"][0], message, "give the limits of what is left as a `lamina`", "form")
-    if "density" in entries and "mass" in entries:
+    both = "density" in entries and "mass" in entries
+    if both and (scope.space or not whole or "holes" in entries):
         scope.fault(entries["density"][0], f"`{name}` has both `mass` and `density`", "give one of them", "form")
+    elif both:
+        from rotsolve.scene.coordinates import told_by_both
+
+        told_by_both(scope, name, entries, fields)
     if "parts" in entries and getattr(fields.get("shape"), "pointlike", False):
         scope.fault(entries["parts"][0], f"`{name}` is a particle and can't have parts", "leave out `shape`", "form")
 
@@ -336,7 +341,7 @@ def read_count(scope: Scope, node: Node, owner: str) -> int | None:
 
 
 WHOLE: dict[str, Callable[[Scope, Node, str], Any]] = {"principal": read_principal, "tensor": read_tensor}
-PLANAR = ("moves", "turns", "angle", "count")  # keys of a body that mean nothing in space
+PLANAR = ("moves", "turns", "angle", "count", "momentum")  # keys of a body that mean nothing in space
 READERS: dict[str, Callable[[Scope, Node, str], Any]] = {
     "inertia": read_inertia,
     "parts": read_parts,

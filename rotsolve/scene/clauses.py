@@ -12,17 +12,18 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.quantities import UnitError, parse_unit
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.language.grammar import CLAUSES, NAMED_AXES, SAID_OF
-from rotsolve.language.problem import ANY_TIME, Condition, PointRef, Term
+from rotsolve.language.problem import ANY_TIME, Condition, Path, PointRef, Term
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.in_space import WORDS, in_space_only, read_way
 from rotsolve.scene.literals import Lexeme, Want
-from rotsolve.scene.paths import read_point
+from rotsolve.scene.paths import read_path, read_point
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Text
 from rotsolve.scene.values import read_scalar
 
 DIRECTIONS = ("right", "left", "up", "down", "x", "y", "z", "tangential", "normal")
 METHODS = ("integration",)
+MEANT_BY = ("rotation", "displacement")  # by what a mean may be taken, beside the time
 
 
 class Clauses:
@@ -136,10 +137,16 @@ class Clauses:
             return word
         return read_scalar(self.scope, part, Want("along", "angle", "theta"))
 
-    def read_by(self, part: Text) -> str | None:
+    def read_by(self, part: Text) -> str | Path | None:
         word = part.value.strip()
         if word in METHODS:
             return word
+        if "." in word and not self.scope.space:
+            path = read_path(self.scope, part, 0, len(part.value))
+            if path is None or path.quantity in MEANT_BY:
+                return path
+            help = f"a mean is taken by a {' or a '.join(MEANT_BY)}"
+            return self.scope.fault(part, f"no mean is taken by `{path.quantity}`", help, "choice")
         return self.scope.fault(part, f"{quoted(word)} is no way to an answer", hint(word, METHODS, "ways"), "choice")
 
     def read_where(self, part: Text) -> Condition | None:
@@ -155,9 +162,14 @@ class Clauses:
             self.scope.fault(part, error.message, help, "unit")
         return self.unit
 
-    def check(self, terms: Sequence[Term]) -> None:
-        """A clause says something of one of the quantities before it."""
+    def check(self, terms: Sequence[Term], modifier: str = "") -> None:
+        """A clause says something of one of the quantities before it; `by` a path is of a mean."""
         for word, quantities in SAID_OF.items():
+            if isinstance(self.words.get(word), Path):
+                if modifier != "mean":
+                    message = f"`{self.places[word].value}` is of a mean, and none is asked"
+                    self.scope.fault(self.places[word], message, "write `mean` in front of the quantity", "idle")
+                continue
             asked = list(dict.fromkeys(term.path.quantity for term in terms))
             if self.words.get(word) is not None and not set(asked) & set(quantities):
                 said = " and ".join(f"`{quantity}`" for quantity in asked)
@@ -172,7 +184,7 @@ class Clauses:
             for name in names
             if self.words.get(name) is not None
             and getattr(term, name) is None
-            and term.path.quantity in SAID_OF.get(name, (term.path.quantity,))
+            and (isinstance(self.words[name], Path) or term.path.quantity in SAID_OF.get(name, (term.path.quantity,)))
         }
         if any((term.at, term.during, term.start)):
             for name in ("at", "during", "start", "end"):

@@ -10,11 +10,12 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.algebra.units.dimension import DIMENSIONS, Dimension
+from rotsolve.core.letters import letters_of
 from rotsolve.core.slicing import Range, coordinate
 from rotsolve.elements.shapes import Shape
 from rotsolve.elements.shapes.integrated import CARTESIAN, POLAR
 from rotsolve.language.words import hint, joined, quoted
-from rotsolve.scene.literals import Want
+from rotsolve.scene.literals import Want, asked_letter
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
@@ -113,3 +114,35 @@ def read_density(
         return scope.fault(node, f"`density` wants one value or a formula of {joined(names) or 'givens'}", kind="form")
     want = Want("density", DENSITIES[built.spread], LETTERS[built.spread], owner, "nonnegative")
     return of_coordinates(scope, node, names, want)
+
+
+def told_by_both(scope: Scope, name: str, entries: Mapping[str, tuple[Text, Node]], fields: dict[str, Any]) -> None:
+    """What a mass beside a density tells: what is `unknown`, else the one letter of the density, or size, that has no number."""
+    density, mass, shape = fields.get("density"), fields.get("mass"), fields.get("shape")
+    if density is None or mass is None or shape is None:
+        return
+    of_density, sizes = letters_behind(scope, density), letters_behind(scope, shape)
+    if any(scope.givens[letter].asked for letter in (*of_density, *sizes, *letters_behind(scope, mass))):
+        return
+    free, left = [letter for letter in of_density if scope.givens[letter].value is None], shape.left_out()
+    if len(free) == 1:
+        scope.givens[free[0]] = replace(scope.givens[free[0]], asked=True)
+    elif not free and len(left) == 1:
+        declared = shape.declared[left[0]]
+        want = Want(left[0], declared.dimension or "length", declared.letter or left[0][0], name)
+        fields["shape"] = replace(shape, **{left[0]: asked_letter(scope, entries["density"][0], want)})
+    else:
+        message = f"`{name}` has both `mass` and `density`, and nothing is left that they tell"
+        if free or left:
+            several = joined([*(f"`{letter}`" for letter in free or left)])
+            message = f"`{name}` has both `mass` and `density`: they tell one of {several}, and not which"
+        scope.fault(entries["density"][0], message, "give one of them, or write `unknown` for what they tell", "form")
+
+
+def letters_behind(scope: Scope, item: object) -> list[str]:
+    """The givens of which something is made, and those of which they are."""
+    found = [name for name in sorted(letters_of(item)) if name in scope.givens]
+    for name in found:
+        value = scope.givens[name].value
+        found += [] if value is None else [one for one in letters_behind(scope, value) if one not in found]
+    return found

@@ -178,7 +178,7 @@ class PhraseReader:
             return None
         self.phrase.where = clauses.where or self.phrase.where
         self.phrase.unit = clauses.unit or self.phrase.unit
-        clauses.check(self.phrase.terms[first:])
+        clauses.check(self.phrase.terms[first:], modifier)
         self.phrase.terms[first:] = map(clauses.applied, self.phrase.terms[first:])
         if sized and (whole := self.modified(formula, "size of", first, False, words[0])) is not None:
             self.phrase.outer = modifier

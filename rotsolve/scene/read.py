@@ -15,7 +15,7 @@ from rotsolve.algebra.units.dimension import ACCELERATION
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.language.grammar import APPROXIMATIONS, SECTIONS
-from rotsolve.language.problem import Given, Problem, references
+from rotsolve.language.problem import SMALL_BESIDE, Given, Problem, references
 from rotsolve.language.words import quoted
 from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
@@ -327,15 +327,20 @@ class Sections:
         node, scope = self.node("assume"), self.scope
         if node is None:
             return ()
-        if not scope.space:
-            in_space_only(scope, self.top["assume"][0], "assume")
         found = []
         for item in node.items if isinstance(node, List) else (node,):
-            word = " ".join(item.value.split()) if isinstance(item, Text) else ""
-            if word in APPROXIMATIONS:
+            word = " ".join(item.value.replace("≪", f" {SMALL_BESIDE} ").split()) if isinstance(item, Text) else ""
+            if word in APPROXIMATIONS and scope.space:
                 found.append(word)
+            elif SMALL_BESIDE in word and not scope.space:
+                from rotsolve.scene.assumed import small_beside  # few scenes say it
+
+                found += small_beside(scope, item, word)
+            elif word in APPROXIMATIONS:
+                in_space_only(scope, self.top["assume"][0], f"assume: {word}")
             else:
-                scope.unknown(item, word, "approximation", APPROXIMATIONS, "approximations")
+                known = APPROXIMATIONS if scope.space else (f"m {SMALL_BESIDE} M",)
+                scope.unknown(item, word, "approximation", known, "approximations")
         return tuple(found)
 
     def marking(self, asked: Mapping[str, Any]) -> tuple[Marking, ...]:

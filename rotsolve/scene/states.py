@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.quantity import DIRECTED, QUANTITIES
 from rotsolve.language.grammar import NAMED_AXES, PHASE
-from rotsolve.language.problem import EXTREMES, Condition, Path, Phase, State
+from rotsolve.language.problem import COMES_TO, EXTREMES, SETTLES, Condition, Path, Phase, State
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import read_value
 from rotsolve.scene.in_space import read_three
@@ -19,6 +19,8 @@ from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Node, Text
 from rotsolve.scene.values import read_scalar
 
+SETTLING = ("velocity", "angular_velocity")  # what settles after a long time
+NEVER_ENDING = ("infinity", "inf", "oo", "forever")
 FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"
 
 
@@ -81,8 +83,16 @@ def conditions_of_line(scope: Scope, state: str, line: Text, node: Node) -> list
     if path is None:
         return []
     word = node.value.strip() if isinstance(node, Text) else ""
-    if word in EXTREMES:
+    if word == SETTLES and path.quantity not in SETTLING:
+        help = "it is said of a velocity or an angular velocity"
+        scope.fault(node, f"`{SETTLES}` says nothing of `{path.quantity}`", help, "choice")
+        return []
+    if word in COMES_TO:
         return [Condition(path, word=word, span=line.span)]
+    if word in NEVER_ENDING:
+        help = f"say what it comes close to after a long time: `wheel.angular_velocity: {SETTLES}`"
+        scope.fault(node, f"no state is reached at `{word}`", help, "unknown")
+        return []
     if (
         isinstance(node, List)
         and len(node.items) == 2

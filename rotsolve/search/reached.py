@@ -19,7 +19,7 @@ from rotsolve.core.faults import NeverReached
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, RATES, TIME, has_quantities, is_key, key_of
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import Path, State
+from rotsolve.language.problem import COMES_TO, Path, State
 from rotsolve.laws.energy import energy
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet
@@ -53,7 +53,9 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         turned = "" if why else not_grown(interval, passage, end, aside)
         why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
         why = why or only_neared(passage, search, aside)
-        limit = end.balance or any(line.word in GROWS for line in end.conditions)  # an equilibrium, or a highest place
+        limit = end.balance or any(
+            line.word in COMES_TO for line in end.conditions
+        )  # an equilibrium, or a highest place
         if slowest and not limit:
             why = why or f"{slowest} comes there ever more slowly"
         if why or turned:
@@ -133,9 +135,8 @@ def only_approached(passage: Passage, search: Search) -> str:
         onward = search.numbers.side(signed(last, way)) if way else None
         if onward == -1:
             return f"{what} would have to go beyond the one to which its forces lead"
-        if (
-            onward == 1 and way and has_quantities(passage.times[1])
-        ):  # else it goes on to that time, whatever speed it has
+        # up to a told time it goes on, whatever speed it has; where nothing drives it on it ends in the limit
+        if onward in (0, 1) and way and has_quantities(passage.times[1]):
             if search.numbers.side(signed(gained, way)) == -1:
                 return f"{what} would have to change against its forces"
             if any(search.numbers.side(signed(push, way)) in (0, -1) for push in pushes_between(travel, search)):

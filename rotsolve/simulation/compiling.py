@@ -93,6 +93,7 @@ class Compiler(Struct, dict=True):
             moment = self._moment()
             facts = free_bodies(moment)
             refuse_changing(facts)
+            self._inertias_of_drives(facts)
             places = list(self._places(bodies, moment, facts))
             free = self._speeds(bodies, moment, facts)
             self._forces(moment, facts)
@@ -287,6 +288,14 @@ class Compiler(Struct, dict=True):
             if names & set(unknown) and all(name in unknown or name in self.letters for name in names):
                 rows.append(self.linear.row(formula, unknown))
         return rows
+
+    def _inertias_of_drives(self, facts: Facts) -> None:
+        """Enters the moments of inertia by which a given momentum or energy tells a rate."""
+        spoken_of = {name for given in facts.given for name in given.drive.function.symbols() if is_key(name)}
+        for body in facts.bodies if spoken_of else ():
+            if body.inertia is not None and body.inertia.letter.symbols() & spoken_of:
+                (name,) = body.inertia.letter.symbols()
+                self.letters[name] = self.tape.formula(body.inertia.formula, self.letters)
 
     def _forces(self, moment: Instant, facts: Facts) -> None:
         """Enters all forces and accelerations that the laws tell; a law that speaks of a letter without a number tells nothing."""

@@ -57,6 +57,12 @@ def number(f: Formula) -> float:
         ("sqrt(b/(x*(a-c*x)))", "0", "a/c"),
         ("1/sqrt(a+b*x+c*x^2)", "0", "2"),
         ("1/sqrt(a+b*x)", "0", "2"),
+        ("sqrt(a-c*x^2)", "0", "2"),
+        ("-sqrt(a+b*x+c*x^2)", "0", "1"),
+        ("x^2/sqrt(a-c*x^2)", "0", "1"),
+        ("-x/sqrt(a+b*x-c*x^2)", "-1", "2"),
+        ("(1-x^2)/sqrt(a+b*x+c*x^2)", "0", "1"),
+        ("(b-x)*sqrt(c/(a-x^2))", "0", "1"),
     ],
 )
 def test_integrals(integrand: str, lower: str, upper: str) -> None:

@@ -164,6 +164,34 @@ CRADLE = (
     "events: {h1: {collides: [one, two], restitution: 0.9, from: before, to: %s}, "
     "h2: {collides: [two, three], restitution: 0.9, from: %s, to: after}}\nfind: {x: three.velocity at after}\n"
 )
+FLIES = "bodies: {ball: {mass: m}}\nstates: {start: {ball.velocity: [1 m/s, 2 m/s]}, end: {time: t1}}\n"
+WIRE = (
+    "gravity: none\nbodies: {wheel: {shape: disc, mass: m, radius: R}}\n"
+    "connections: {stud: {axle: wheel}, wire: {torsion: wheel, stiffness: 0.5 N m/rad}}\n"
+    "states: {start: {wheel.angle: 40 deg, at rest: all}, end: {LATER}}\nfind: {x: mean wheel.kinetic_energy from start to end}\n"
+)
+CRATE = (
+    "surfaces: {ramp: {slope: 35 deg, down: left}}\nbodies: {crate: {mass: m, moves: up}}\n"
+    "connections: {base: {contact: [crate, ramp], friction: 0.3}}\n"
+    "states: {start: {crate.velocity: w*R}, end: {time: 2 s}}\nfind: {x: mean base.friction_force from start to end}\n"
+)
+BOTH_WHEELS = (
+    "plane: horizontal\nbodies: {one: {shape: disc, mass: m, radius: R}, two: {shape: disc, mass: M, radius: R}}\n"
+    "connections: {stud: {axle: %s, angular_momentum: tau*time}}\n"
+    "states: {start: {}, end: {time: t1}}\nfind: {x: one.angular_velocity at end}\n"
+)
+BY_ENERGY = (
+    "plane: horizontal\nbodies: {one: {shape: disc, mass: m, radius: R}}\n"
+    "connections: {stud: {axle: one, LAW}}\nstates: {start: {}, end: {time: t1}}\nfind: {x: one.angular_velocity at end}\n"
+)
+BARS = (
+    "given: {L: 50 cm, d: PLACE, w: 3 rad/s, M: 2 kg}\ngravity: none\n"
+    "bodies: {a: {shape: rod, mass: M, length: L}, b: {shape: rod, mass: M, length: L}, c: {shape: rod, mass: M, length: L}}\n"
+    "connections: {A: {hinge: a.start, at: [0, 0]}, D: {hinge: b.start, at: [d, 0]}, B: {hinge: [a.end, c.start]}, "
+    "C: {hinge: [b.end, c.end]}}\nstates: {now: {a.angle: 90 deg, c.angle: 0, a.angular_velocity: w TOLD}}\n"
+    "find: {x: b.angular_velocity}\n"
+)
+ALL_TOLD = BARS.replace(" TOLD", ", b.angle: 90 deg").replace("PLACE", "50 cm")
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
     "damped fall": (
         ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
@@ -416,6 +444,48 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
     ),
     "blow off a dome": (DROPPED.replace("rod.end, floor", "rod.end, hill"), DROPPED),
     "rough blow of two bodies": (MET.replace("restitution: 0.5", "restitution: 0.5, friction: 0.2"), MET),
+    "mean of a vector": (
+        FLIES + "find: {x: mean ball.momentum from start to end}\n",
+        FLIES + "find: {x: mean ball.momentum.y from start to end}\n",
+    ),
+    "mean of a size": (
+        BELT.replace("now: {at rest: all}", "now: {at rest: all}, end: {time: t1}")
+        + "find: {x: mean strap.force by wheel.rotation from now to end}\n",
+        BELT.replace("now: {at rest: all}", "now: {at rest: all}, end: {time: t1}")
+        + "find: {x: mean drive.torque by wheel.rotation from now to end}\n",
+    ),
+    "mean of friction up and back": (CRATE, CRATE.replace("time: 2 s", "crate.velocity: 0")),
+    "mean of what swings for a time": (
+        WIRE.replace("LATER", "time: 20 s"),
+        WIRE.replace("LATER", "wheel.angle: 0"),
+    ),
+    "mean energy of a fall": (
+        ROD + FALL + "find: {x: mean rod.kinetic_energy by rod.rotation from high to low}\n",
+        ROD + FALL + "find: {x: mean rod.torque.gravity by rod.rotation from high to low}\n",
+    ),
+    "mean of a damped fall": (
+        ROD + OIL + FALL + "find: {x: mean rod.kinetic_energy from high to low}\n",
+        "",
+    ),
+    "settling by the place": (
+        ROD
+        + FALL.replace("rod.angle: -30 deg", "rod.angular_velocity: settles")
+        + "find: {x: rod.angular_velocity at low}\n",
+        ROD
+        + FALL.replace("rod.angle: -30 deg", "rod.angular_velocity: smallest")
+        + "find: {x: rod.angular_velocity at low}\n",
+    ),
+    "linkage that does not close": (ALL_TOLD.replace("d: 50 cm", "d: 60 cm"), ALL_TOLD),
+    "linkage of which an angle is missing": (
+        BARS.replace(" TOLD", "").replace("PLACE", "50 cm").replace("gravity: none\n", ""),
+        ALL_TOLD.replace("gravity: none\n", ""),
+    ),
+    "linkage between letters": (ALL_TOLD.replace("d: 50 cm", "d: m"), ALL_TOLD),
+    "momentum of several wheels": (BOTH_WHEELS % "[one, two]", BOTH_WHEELS % "one"),
+    "energy that comes to nothing": (
+        BY_ENERGY.replace("LAW", "kinetic_energy: tau*cos(time/t1)^2"),
+        BY_ENERGY.replace("LAW", "angular_velocity: w*cos(time/t1)"),
+    ),
     "way of what is caught": (
         CAUGHT + "find: {x: ball.cm.displacement.x from before to end}\n",
         CAUGHT + "find: {x: rod.end.displacement.x from after to end}\n",

@@ -39,7 +39,7 @@ rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship w
 fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance two-plane-balancing masses-that-balance-a-rotor
 sign-held-by-two-cables"""
 FRICTION = """spinning-wheel-set-down spool-largest-pull hawser-round-a-bollard"""
-NO_LAW = """coin-on-a-turntable top-that-creeps-to-the-vertical
+NO_LAW = """puck-of-given-momentum coin-on-a-turntable top-that-creeps-to-the-vertical
 disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
 which-pair-of-angles stone-from-a-tower shell-fired-east"""
@@ -50,6 +50,7 @@ NUTATION = "sleeping-top-touched spherical-pendulum-nods top-that-trembles"  # s
 NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on-a-tilted-turntable"
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop"
+GIVEN_TURN = "momentum-as-a-function-of-time"
 
 NOTHING, ALONE = "do not settle anything that is asked here", "alone can not tell"
 REASONS = {  # the problems, and what the message and its help say
@@ -64,6 +65,7 @@ REASONS = {  # the problems, and what the message and its help say
     NONHOLONOMIC: (NOTHING, "ties its rates, and not its coordinates"),
     TOLD_BY_POWER: (NOTHING, "does not tie places"),
     UNKNOWN_TRACK: (ALONE, "energy gives it"),
+    GIVEN_TURN: (NOTHING, "it takes Newton's laws|none of the laws"),
 }
 REFUSED = {name: reason for names, reason in REASONS.items() for name in names.split()}
 

@@ -65,7 +65,7 @@ class Stretch(Struct, frozen=True):
             return halves
         square = self._fraction(self._tidy(f * f))
         if square is None or len(square[0]) != 1 or len(square[1]) > 3:
-            return None
+            return self._powers_beside_root(f)
         found = self._root([self._tidy(part / square[0][0]) for part in square[1]])
         return negate(found) if found is not None and self._negative(f) else found
 
@@ -178,6 +178,53 @@ class Stretch(Struct, frozen=True):
             return None
         tops = [add(slope, TWO * sqrt(c) * sqrt(end)) for slope, end in zip(slopes, (first, last), strict=True)]
         return self._tidy(call("log", self._tidy(tops[1] / tops[0])) / sqrt(c))
+
+    def _powers_beside_root(self, f: Formula) -> Formula | None:
+        """∫ p dx/√R and ∫ √R dx for R = a + b x + c x² and p of degree 2 at most: (A x + B) √R + C ∫ dx/√R."""
+        problem = Fractions([self._tidy(f * f)], self.order, self.positive, extra=(self.name,))
+        ring, place = problem.field, problem.field.index[Symbol(self.name)]
+        sides = ring.cancel(problem.ratio())
+        inside = [i for i in range(len(ring.atoms)) if ring.mentions(i, self.name)]
+        if any(poly.degrees()[i] for poly in sides for i in inside):
+            return None
+        above, below = (
+            [problem.shortest((part, ring.one)) for part in ring.coefficients(poly, place)] for poly in sides
+        )
+        if len(below) == 1 and len(above) == 3:
+            below = [self._tidy(part / below[0]) for part in above]
+            top: list[Formula] | None = below
+        else:
+            if self.sign(above[-1]) == -1:
+                above, below = ([self._tidy(negate(part)) for part in side] for side in (above, below))
+            top = self._square_root(above) if len(below) == 3 and len(above) in (3, 5) else None
+        if top is None:
+            return None
+        (p, q, r), (a, b, c) = [*top, ZERO][:3], below
+        first = self._tidy(r / (TWO * c))
+        second = self._tidy((q - Number(Fraction(3, 2)) * first * b) / c)
+        rest, ends = self._tidy(p - first * a - HALF * second * b), self._at(below)
+        arc = self._root(below) if rest != ZERO else ZERO
+        if arc is None:
+            return None
+        last, begun = (
+            (first * end + second) * sqrt(root) for end, root in zip((self.upper, self.lower), ends[::-1], strict=True)
+        )
+        whole = self._tidy(add(add(last, negate(begun)), rest * arc))
+        middle = {self.name: HALF * (self.lower + self.upper)}
+        shape = (p + q * Symbol(self.name) + r * Symbol(self.name) ** 2).substitute(middle)
+        signs = self.sign(self._tidy(f.substitute(middle))), self.sign(self._tidy(shape))
+        return None if None in signs or 0 in signs else whole if signs[0] == signs[1] else negate(whole)
+
+    def _square_root(self, above: list[Formula]) -> list[Formula] | None:
+        """The polynomial of degree 1 or 2 whose square has these coefficients; None where there is none."""
+        lead = self._tidy(sqrt(above[-1]))
+        if len(above) == 3:
+            root = [self._tidy(above[1] / (TWO * lead)), lead]
+            return root if self._tidy(root[0] ** 2 - above[0]) == ZERO else None
+        middle = self._tidy(above[3] / (TWO * lead))
+        last = self._tidy((above[2] - middle**2) / (TWO * lead))
+        fits = self._tidy(TWO * middle * last - above[1]) == ZERO and self._tidy(last**2 - above[0]) == ZERO
+        return [last, middle, lead] if fits else None
 
     def _arc(self, slope: Formula, size: Formula, radicand: Formula) -> Formula:
         """arcsin(−slope/size): a quarter turn where the root vanishes at that end."""

@@ -122,7 +122,7 @@ class Asker:
             return swinging(self.course, term)
         if term.at == ANY_TIME:
             raise NotConfirmed("a function of time")
-        if term.by is not None:
+        if isinstance(term.by, str):
             term = replace(term, by=None)
         if term.modifier in ("", "size of"):
             return self.over(term) if path.quantity in SPANNED else self.at_state(term)
@@ -184,15 +184,36 @@ class Asker:
     def mean(self, term: Term) -> Reckoned:
         """What is summed over time, by the time."""
         summed = MEANS.get(term.path.quantity)
-        if summed is None:
-            raise NotConfirmed(f"the mean of `{term.path.quantity}`")
         start, end = self.ends(term)
+        if summed is None or isinstance(term.by, Path):
+            return self.mean_of(term, start, end)
         time = self.course.time(start, end)
         if time == 0.0:
             raise NotConfirmed("a mean over no time")
         path = replace(term.path, quantity=summed[0])
         whole = self.timed(replace(term, path=path, modifier=summed[1], start=start, end=end, at=None, during=None))
         return Reckoned({key: part / time for key, part in whole.values.items()}, whole.size / time)
+
+    def mean_of(self, term: Term, start: str, end: str) -> Reckoned:
+        """∫ Q dt by the time, or ∫ Q dx by the way or turn that `by` speaks of."""
+        from rotsolve.confirm.course.spans import SPANS, Between
+
+        span, by = Between(self.course, start, end), term.by if isinstance(term.by, Path) else None
+        rate = None if by is None else Path(by.owner, "angular_velocity" if by.quantity == "rotation" else "velocity")
+        plain = replace(term, modifier="", by=None, start=None, end=None, at=None, during=None)
+
+        begun = reading(self.course.node(start), plain.path, plain).values
+
+        def effort(at: Node) -> float:
+            found = reading(at, plain.path, plain)
+            size = along_first(found.values, begun) if "x" in begun else found.number
+            return size * (1.0 if rate is None else reading(at, rate).number)
+
+        over = self.course.time(start, end) if by is None else SPANS[by.quantity](span, Term(by)).number
+        if over == 0.0:
+            raise NotConfirmed("a mean over no time" if by is None else "a mean over no way")
+        whole = span.sum(effort)
+        return number(whole.number / over, whole.size / abs(over))
 
     def total(self, term: Term) -> Reckoned:
         """Both ways added."""
@@ -205,6 +226,14 @@ class Asker:
         from rotsolve.confirm.course.spans import SPANS, Between
 
         return SPANS[word](Between(self.course, start, end), term)
+
+
+def along_first(found: Mapping[str, float], begun: Mapping[str, float]) -> float:
+    """The part of a vector along the way in which it points at first."""
+    size = math.hypot(begun["x"], begun["y"])
+    if size == 0.0:
+        raise NotConfirmed("the mean of a vector that is nothing at first")
+    return (found["x"] * begun["x"] + found["y"] * begun["y"]) / size
 
 
 def change_over(changes: Sequence[tuple[Reckoned, Reckoned]], sign: float) -> Reckoned:

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import as_dense
 from rotsolve.confirm.course.node import Astray, Budget, Node
 from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
@@ -309,7 +310,10 @@ class Course:
             raise NotConfirmed(f"the lines of the states do not tell `{name}`")
 
     def hold(self) -> None:
-        """NotConfirmed where a line of a state does not hold, or nothing balances that should."""
+        """NotConfirmed where a line of a state does not hold, nothing balances that should, or a mass is not that of its density."""
+        for body in self.problem.bodies:
+            if body.density is not None and not as_dense(body, self.value):
+                raise Broken(f"`{body.name}` has not the mass that its density tells")
         for state in self.states:
             at = self.node(state.name)
             if state.balance:

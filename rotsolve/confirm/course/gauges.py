@@ -11,11 +11,11 @@ from msgspec.structs import replace
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.instant import gathered, slip_speed
-from rotsolve.confirm.lines import from_axis, once_round, placed_value, rate_of
+from rotsolve.confirm.lines import SIZED, from_axis, goal_of, once_round, placed_value, rate_of
 from rotsolve.confirm.model import Model
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Ride
-from rotsolve.language.problem import EXTREMES, Condition, Path, State
+from rotsolve.language.problem import COMES_TO, SETTLES, Condition, Path, State
 
 HOLDS = 1e-6  # how well all lines of a state have to hold at once
 OWN = ("mass", "inertia", "gyration", "radius", "length")
@@ -45,7 +45,7 @@ def gauges(state: State, model: Model, first: Node) -> list[Gauge]:
         elif line.path is not None and line.path.quantity == "time":
             continue
         elif line.word is not None:
-            found.append(word_gauge(line, model))
+            found.append(word_gauge(line, model, first))
         elif line.path is not None and line.path.quantity in OWN and line.path.owner in model.seats:
             found.append(riding_gauge(line, model))
         elif line.path is not None and line.value is not None:
@@ -130,7 +130,7 @@ def share_of_way(ride: Ride, at: Node) -> float:
     )
 
 
-def word_gauge(line: Condition, model: Model) -> Gauge:
+def word_gauge(line: Condition, model: Model, first: Node) -> Gauge:
     """`rolls`, `sticks`: no slip; `leaves`, `slack`: nothing that pushes or pulls; `largest`: what does not change."""
     owner = line.owner or (line.path.owner if line.path is not None else "")
     if line.word in ("rolls", "sticks"):
@@ -139,9 +139,10 @@ def word_gauge(line: Condition, model: Model) -> Gauge:
         return Gauge(lambda at: least(owner, at), 1.0, f"{owner}: {line.word}")
     if line.word == "slips":
         return Gauge(lambda at: clasp(owner, at), 1.0, f"{owner}: {line.word}")
-    if line.word in EXTREMES and line.path is not None:
+    if line.word in COMES_TO and line.path is not None:
         path = line.path
-        way = 1 if line.word == "smallest" else -1
+        falls = line.word == "smallest" or (line.word == SETTLES and rate(path, first) < 0.0)
+        way = 1 if falls else -1
         return Gauge(lambda at: rate(path, at), 1.0, f"{path.owner}.{path.quantity}: {line.word}", way=way)
     raise NotConfirmed(f"a state that says `{owner}: {line.word}`")
 
@@ -196,7 +197,7 @@ def value_gauge(path: Path, value: float, model: Model, first: Node) -> Gauge:
         if found is not None:
             slope, sign = found
             speed = sum([part * at.placed.speed[index] for index, part in slope.items()]) * sign
-            return abs(speed) - value if path.quantity == "speed" else speed - value
+            return abs(speed) - goal_of(path, value) if path.quantity in SIZED else speed - value
         place = placed_value(path, pose, at.model)
         if place is None:
             from rotsolve.confirm.course.asked import reading

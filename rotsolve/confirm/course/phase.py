@@ -22,7 +22,7 @@ from rotsolve.confirm.course.node import Astray, Node, unpushed
 from rotsolve.confirm.course.steps import PLACES, Law, TimeStep, adapted, is_constant
 from rotsolve.confirm.instant import BACK, FORWARD, STICKS, Dynamics, Met, Placed, gathered, moment, slip_speed
 from rotsolve.confirm.rows import Grip
-from rotsolve.language.problem import EXTREMES, State
+from rotsolve.language.problem import COMES_TO, State
 
 SOON = (1e-4, 1e-3, 1e-2, 0.05)  # parts of a step after which bodies that have bounced are seen to part
 APART = "apart "  # margins of bodies that have met
@@ -54,7 +54,7 @@ def followed(first: Node, state: State) -> FollowedPhase:
 
 def stays(first: Node, state: State) -> bool:
     """Whether a state is one at which a quantity is largest or smallest that does not change at all, so that it is so from the first."""
-    if len(state.conditions) != 1 or state.conditions[0].word not in EXTREMES:
+    if len(state.conditions) != 1 or state.conditions[0].word not in COMES_TO:
         return False
     coming = NextState(first, state)
     now = first.moment

@@ -165,7 +165,7 @@ class Guide(Connection, frozen=True):
         if words & set(TURNING):
             size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
             yield Couple(self.name, DRIVE, name, signed(size, instant.sense(name)), "driving torque", size)
-        if words & set(TRAVELLING):
+        if words & {*TRAVELLING, "momentum"}:
             for component, direction, said in self._ways(name, instant):
                 size = instant.ask("force", self.name, when=instant.span(name), component=component)
                 arm = instant.centre_of_mass(name)

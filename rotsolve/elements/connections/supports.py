@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.drive import TURNING
+from rotsolve.core.drive import BY_INERTIA, TURNING
 from rotsolve.core.facts import (
     AXLE,
     DRIVE,
@@ -44,6 +44,9 @@ from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import amount, key
 
+Axis = tuple[Formula, ...]
+GIVEN = (*TURNING, *BY_INERTIA)  # the keys that give a turn
+
 
 class Driven(Connection, frozen=True):
     """Base of what turns a body by itself: a rate given as a value or a formula of `time`."""
@@ -66,6 +69,24 @@ class Driven(Connection, frozen=True):
     angular_acceleration: Formula | None = amount(
         "driven angular acceleration", "angular acceleration", "alpha", varies=True, default=None
     )
+    angular_momentum: Formula | None = amount(
+        "given angular momentum of all that turns with the body",
+        "angular momentum",
+        "L",
+        varies=True,
+        default=None,
+        plane=True,
+    )
+    kinetic_energy: Formula | None = amount(
+        "given kinetic energy of all that turns with the body, along its positive turn",
+        "energy",
+        "K",
+        varies=True,
+        default=None,
+        plane=True,
+    )
+
+    at: Axis = key("place", "where in the scene it holds to the ground, `[x, y]`", default=(), plane=True)
 
     def held(self) -> tuple[PointRef, ...]:
         """The bodies that turn about it."""
@@ -92,7 +113,12 @@ class Driven(Connection, frozen=True):
         return replace(self, angular_velocity=None), held[-1], rate
 
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
-        values = [(word, value) for word in TURNING if (value := getattr(self, word)) is not None]
+        values = [(word, value) for word in GIVEN if (value := getattr(self, word)) is not None]
+        by_inertia = [word for word, _ in values if word in BY_INERTIA]
+        if by_inertia and (len(values) > 1 or len(self.held()) > 1):
+            beside = "beside another given motion" if len(values) > 1 else "of several bodies on one axle"
+            message = f"`{by_inertia[0]}` is given {beside}: that is not solved"
+            raise Unsolvable(message, span=self.held()[-1].span, help="give one of them, of one body")
         if (values or self.rubbing()) and not self.fixed_points():
             does = "drives one moving body" if values else "rubs with a friction torque of one moving body"
             raise Unsolvable(f"`{self.name}` {does} against another: not solved yet", span=self.held()[-1].span)
@@ -130,7 +156,7 @@ class Driven(Connection, frozen=True):
             if self.rubbing():
                 yield from self.friction_on(instant, name, sense)
             asked = not self.rubbing() and instant.configuration.mentions.asks(self.name, "torque")
-            if asked or any(getattr(self, word) is not None for word in TURNING):
+            if asked or any(getattr(self, word) is not None for word in GIVEN):
                 size = self.torque_on(name, instant, instant.turn_words(name))
                 yield Couple(self.name, DRIVE, name, signed(size, sense), "torque", size)
 
@@ -156,7 +182,6 @@ class Driven(Connection, frozen=True):
         yield Couple(self.name, FRICTION, name, signed(most, turn), "friction torque", most, against)
 
 
-Axis = tuple[Formula, ...]
 GROUND = PointRef("ground")
 
 
