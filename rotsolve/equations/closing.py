@@ -28,7 +28,7 @@ def placed(items: Sequence[Connection]) -> list[Driven]:
 def check_closed(state: State, instant: Instant) -> None:
     """Refused where linked bodies do not reach from a place to another one, with the angles that the state tells."""
     holders = placed(instant.configuration.connections(state.name))
-    for gap, joint, names, longest in gaps(holders, instant) if len(holders) > 1 else ():
+    for gap, joint, names, longest in gaps_to_close(holders, instant) if len(holders) > 1 else ():
         linked = and_joined([f"`{name}`" for name in names])
         sides = [tidy(gap).along(axis) for axis in (RIGHT, UP)]
         if any(map(has_quantities, sides)):
@@ -54,7 +54,7 @@ def check_closed(state: State, instant: Instant) -> None:
 Gap = tuple[Vector, str, list[str], list[Formula]]
 
 
-def gaps(holders: Sequence[Driven], instant: Instant) -> Iterator[Gap]:
+def gaps_to_close(holders: Sequence[Driven], instant: Instant) -> Iterator[Gap]:
     """For each joint that closes a loop between told places how far apart its points would be; with the joint, the bodies that have a
     place by then, and how far these reach."""
     bodies = instant.configuration.bodies

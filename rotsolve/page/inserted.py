@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, remembered
+from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, rounded_once
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import (
@@ -262,7 +262,7 @@ class InsertedNumbers:
                 raise NotShown
             self.sought.add(name)
             try:
-                self.roots[name] = remembered(self.number(told))
+                self.roots[name] = rounded_once(self.number(told))
             finally:
                 self.sought.discard(name)
         return self.roots[name]

@@ -248,7 +248,7 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
 
         refuse_products(find)
         refuse_mixed_axes(find, scene)
-    meanings = meanings_of(find, scene, beside)
+    meanings = meanings_of_terms(find, scene, beside)
     if any(term.path.quantity == "kinetic_energy" for term in find.terms):
         from rotsolve.questions.energies import with_named_energies
 
@@ -294,7 +294,7 @@ def refuse_modified_whole(find: Find, scene: SceneEquations) -> None:
         raise NotYet(message, find.span)
 
 
-def meanings_of(find: Find, scene: SceneEquations, beside: Beside | None) -> list[tuple[Meaning, str]]:
+def meanings_of_terms(find: Find, scene: SceneEquations, beside: Beside | None) -> list[tuple[Meaning, str]]:
     """The meanings of all terms; of forces of which the laws tell their sum alone, where it is that sum that is asked, the first as all."""
     try:
         return [meaning_of(term, scene, beside) for term in find.terms]

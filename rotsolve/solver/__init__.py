@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import field
 
-from rotsolve.algebra.certified.ball import Certified, decided_by_size, evaluate, remembered
+from rotsolve.algebra.certified.ball import Certified, decided_by_size, evaluate, rounded_once
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import REMEMBERED, is_zero
 from rotsolve.algebra.exact.order import length
@@ -31,7 +31,7 @@ from rotsolve.solver.steps import (
     Step,
     Unprintable,
     elimination_kind,
-    factored,
+    held_as_factor,
     inner,
     isolated,
     line_in_letters,
@@ -126,7 +126,7 @@ class Solver(Isolation, kw_only=True):
             if name not in numbers:
                 value = self.with_answers(told[name]) if closed.keys() & told[name].symbols() else told[name]
                 roots = {other: number(other) for other in sorted(value.symbols() & (told.keys() | numbers.keys()))}
-                numbers[name] = remembered(evaluate(value, self.signs.values, roots=roots))
+                numbers[name] = rounded_once(evaluate(value, self.signs.values, roots=roots))
             return numbers[name]
 
         decided_by_size()
@@ -226,7 +226,7 @@ class Solver(Isolation, kw_only=True):
         shared = other.unknowns(unknowns)
         if len(shared) != 1 or not of_kinds(shared, MOTION) or isolated(other, name := next(iter(shared))) is not None:
             return False
-        above, below = factored(one, name), factored(other, name)
+        above, below = held_as_factor(one, name), held_as_factor(other, name)
         if above is None or below is None or self.signs.sign(below[0]) not in (-1, 1):
             return False
         self.told[name] = self.simplify(below[0] / below[1])

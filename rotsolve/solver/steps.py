@@ -174,7 +174,7 @@ def cofactor(base: Formula, name: str) -> Formula | None:
     return None
 
 
-def factored(item: Item, name: str) -> tuple[Formula, Formula] | None:
+def held_as_factor(item: Item, name: str) -> tuple[Formula, Formula] | None:
     """One side of an equation, and what the unknown is multiplied with that is the other: F d and I of F d = I α."""
     for side, other in ((item.right, item.left), (item.left, item.right)):
         if name not in other.symbols() and not isinstance(side, Negative) and monomial(other):

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, remembered
+from rotsolve.algebra.certified.ball import Certified, evaluate, rounded_once
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
@@ -135,7 +135,7 @@ class Tensors(Struct):
         for name in sorted(told.keys() & value.symbols()):
             if name not in self.numbers:
                 found = self.number(told[name], signs)
-                self.numbers[name] = None if found is None else remembered(found)
+                self.numbers[name] = None if found is None else rounded_once(found)
             number = self.numbers[name]
             if number is None:
                 return None

@@ -293,7 +293,7 @@ def evaluate(
     )
 
 
-def remembered(number: Certified) -> Certified:
+def rounded_once(number: Certified) -> Certified:
     """A certified number that works each accuracy out once: what many others are made of."""
     return Certified(number.ball, cache(number.refine), number.equals)
 
