@@ -127,13 +127,8 @@ class Hearing:
         return [*self.told, *(name for name in self.letters if name in self.known)]
 
     def left(self, changes: Mapping[int, float]) -> list[float]:
-        """What the equations leave over with changed answers; not confirmed where a state that tells one of them as well breaks with it."""
-        try:
-            return self.changed({self.places[place]: change for place, change in changes.items()}).left_over()
-        except Unfit:
-            if not changes:
-                raise
-            raise NotConfirmed(UNTESTED) from None
+        """What the equations leave over with changed answers."""
+        return self.changed({self.places[place]: change for place, change in changes.items()}).left_over()
 
     def changed(self, changes: Mapping[tuple[str, str, str] | str, float]) -> Inquiry:
         """The scene with changed answers."""
@@ -168,7 +163,10 @@ class Hearing:
         base, steps = self.left({}), self.steps()
         columns = []
         for place, step in enumerate(steps):
-            up, down = self.left({place: step}), self.left({place: -step})
+            try:
+                up, down = self.left({place: step}), self.left({place: -step})
+            except Unfit:  # a state that tells an answer as well breaks with it
+                raise NotConfirmed(UNTESTED) from None
             if not len(up) == len(down) == len(base):  # other equations hold near it, as of what stands just upright
                 raise NotConfirmed(UNTESTED)
             columns.append([(a - b) / 2 for a, b in zip(up, down, strict=True)])
