@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -12,7 +13,9 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Quotient, Symbo
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.core.derivation import Answer, Check, Words
 from rotsolve.core.symbols import has_quantities
-from rotsolve.search.letterspace import LetterSpace
+
+if TYPE_CHECKING:
+    from rotsolve.search.letterspace import LetterSpace
 
 LONGEST, SHORT = 60, 14  # nodes of a formula that is looked at, and of what it comes to
 

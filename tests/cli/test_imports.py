@@ -31,6 +31,7 @@ WITHOUT = {  # what a block on a disc has no use for
     "rotsolve.equations.equilibrium",
     "rotsolve.questions.functions_of_time",
     "rotsolve.search.extrema",
+    "rotsolve.search.letterspace",
     "rotsolve.search.friction",
     "rotsolve.search.conditions",
     "rotsolve.search.swings",
