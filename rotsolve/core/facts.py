@@ -228,6 +228,7 @@ SLIDES = Need("slides", placed=True, closed=True)  # what slips through a blow, 
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
 LIES = Need("lies", placed=True, closed=True)  # a ladder in front of its wall, and not in it
+ROCKS = Need("rocks", placed=True, closed=True)  # half a cylinder on its round side
 STANDS = Need("stands", placed=True, closed=True)  # a crate on its base
 ON_THE_WAY = Need("on the way", placed=True, closed=True)  # what is least within a phase
 

@@ -22,8 +22,9 @@ SAID = FAMILIES[LAGRANGE].words
 
 BLOWS = """ball-with-backspin-bounces dumbbell-hits-a-wall super-ball-under-a-table
 hinged-plates-that-are-struck meteorite-that-stays-in-a-probe
-bat-sweet-spot block-trips-over-ridge pencil-rolls-over-its-edges blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice centre-of-percussion disc-drop
-bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end rod-on-ice-blow ball-rolls-over-step blow-on-a-box
+pencil-rolls-over-its-edges bat-sweet-spot block-trips-over-ridge blow-on-rod-on-ice bullet-in-rod-swing bullet-on-ice
+centre-of-percussion disc-drop bullet-in-a-bar-in-pounds plate-caught-at-corner projectile-into-rod rod-caught-at-end
+rod-on-ice-blow ball-rolls-over-step blow-on-a-box
 blow-on-a-plate-at-a-corner disc-struck-at-its-rim cube-caught-at-an-edge plate-struck-where-its-hinges-feel-nothing"""
 INERTIA_CHANGES = """ball-bounces-twice
 bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights

@@ -11,10 +11,12 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE, TORQUE
 from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.course.astray import letting_go
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
 from rotsolve.confirm.numbers import options_that_hold, value_of
+from rotsolve.confirm.rows import EDGE
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term
@@ -166,9 +168,9 @@ class Asker:
         at, dimension = self.course.node(state), QUANTITIES[term.path.quantity].dimension
         if dimension in (*OF_RATES, *OF_FORCES):
             own = term.path.owner if dimension in OF_FORCES else ""  # its own push says by its sign that it lets go
-            letting = [owner for owner, _ in at.moment.lifted if owner != own]
+            letting = [letting_go(kind, owner) for owner, kind in at.moment.lifted if kind == EDGE or owner != own]
             if letting:
-                raise Astray(f"`{letting[0]}` lets go at `{state}`" if state else f"`{letting[0]}` lets go")
+                raise Astray(f"{letting[0]} at `{state}`" if state else letting[0])
         return reading(at, term.path, term)
 
     def over(self, term: Term) -> Reckoned:

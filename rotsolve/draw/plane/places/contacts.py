@@ -70,6 +70,9 @@ def rolling_rim(item: Touch, stage: PlaneStage) -> tuple[float, Point] | None:
     """The radius of what rolls, and its centre."""
     ref = item.pair()[0]
     body, radius = stage.model.body(ref.owner), stage.rim(ref)
+    rocks = stage.model.rocking(ref.owner, item)
+    if rocks is not None:
+        return rocks.radius, stage.model.spot(ref if ref.point else PointRef(ref.owner))
     if not (on_rim(body, ref.point) or (ref.point in ("bottom", "center") and radius is not None)):
         return None
     part = ref.point if part_of(body, ref.point) else None
