@@ -29,7 +29,7 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, rolling_radius, shape_of
+from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
@@ -108,7 +108,7 @@ class Touch(Connection, frozen=True):
         """What touches is a rim, a point that is named, or a body with corners: what is bent otherwise would rock."""
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         bent = body is not None and body.shape is not None and not body.shape.pointlike and not body.shape.outline()
-        if scene.problem.space or body is None or not bent or rolling_radius(body, ref.point) is not None:
+        if scene.problem.space or body is None or not bent or touching_radius(body, ref.point) is not None:
             return
         if ref.point in (None, "center", "cm") and "rim" not in shape_of(body).points:
             message = f"on which side `{body.name}` touches `{self.pair()[1].owner}` nothing tells: it is neither round nor has corners"
@@ -328,7 +328,7 @@ class Touch(Connection, frozen=True):
         if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
-            point = arm if rolling_radius(body, ref.point) is None else instant.hub(ref)
+            point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
@@ -356,7 +356,8 @@ class Touch(Connection, frozen=True):
         if bow is not None:
             middle = instant.pointing(ref.owner, heading(simplify((bow.first + bow.last) / 2)))
             ahead, least = middle.along(facing.turned(180)), heading(simplify((bow.last - bow.first) / 2)).cos()
-            otherwise = f"{spoken(ref.owner)} touches with an end of its round side"
+            when = " at" if instant.state else ""
+            otherwise = f"{spoken(ref.owner)} touches with an end of its round side{when}"
             yield Requirement(self.name, ROCKS, simplify(ahead), least, "", otherwise)
 
     def check_abreast(self, surface: Surface, instant: Moment) -> None:
@@ -503,7 +504,7 @@ class Touch(Connection, frozen=True):
         along = unit(forward.turned(90 + 90 * sense))
         force = Force(self.name, FRICTION, name, size, along, arm, "friction", acts, works=False, internal=True)
         yield from self.both(force, instant, force.noun, reacts, name)
-        rolling = motion.turns and rolling_radius(instant.body(self.lying()), self.pair()[0].point) is not None
+        rolling = motion.turns and touching_radius(instant.body(self.lying()), self.pair()[0].point) is not None
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
@@ -551,7 +552,7 @@ def travel_words(forward: Heading, path: Heading | None, instant: Moment, name: 
 def contact_arm(ref: PointRef, facing: Heading, instant: Moment) -> Vector:
     """From the body's reference to where it touches: a wheel's rim towards the surface, a named point, or the body itself."""
     body = instant.body(ref.owner)
-    radius = rolling_radius(body, ref.point)
+    radius = touching_radius(body, ref.point)
     if radius is not None:
         return instant.hub(ref) + vector(radius, facing.turned(180))
     if instant.motion(ref.owner).kind == "line" and not instant.motion(ref.owner).turns:

@@ -94,10 +94,10 @@ def bow_of(body: Body, point: str | None) -> Bow | None:
 def rolling_part(body: Body, point: str | None) -> Part | None:
     """The part of a body that a point names, where it has a rim or a bow of its own."""
     part = next((part for part in body.parts if part.body.name == point), None)
-    return part if part is not None and rolling_radius(part.body, None) is not None else None
+    return part if part is not None and touching_radius(part.body, None) is not None else None
 
 
-def rolling_radius(body: Body, point: str | None) -> Formula | None:
+def touching_radius(body: Body, point: str | None) -> Formula | None:
     """The radius with which a body touches a floor: that of a rim, or of a bow."""
     bow = bow_of(body, point)
     return rim_radius(body, point) if bow is None else bow.radius
