@@ -23,6 +23,7 @@ from rotsolve.core.symbols import (
     RATES,
     REST,
     TIME,
+    VIRTUAL,
     SymbolKey,
     is_quantity,
     key_of,
@@ -64,7 +65,7 @@ def balanced_places(rest: Instant, still: Facts, group: frozenset[str], signs: S
     balance = groups.drive(still, group)
     if balance is None or balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
-    drive = balance[0] - balance[1]
+    drive = where_it_rests(balance[0] - balance[1])
     letters = of_kinds(drive.symbols(), PLACES)
     calls = [node for node in drive.walk(Call) if isinstance(node, Call)]
     if not any(letter in node.symbols() for letter in letters for node in calls):  # in a sine or cosine
@@ -80,6 +81,12 @@ def balanced_places(rest: Instant, still: Facts, group: frozenset[str], signs: S
     if len(stable) != 1:
         raise NotYet("the stable equilibrium is not told", help=STATE_IT)
     return {letters[0]: simplify(stable[0])}
+
+
+def where_it_rests(drive: Formula) -> Formula:
+    """What drives a group where it rests: the motion along which that works is only thought of, and as slow as one likes."""
+    thought_of = [name for name in of_kinds(drive.symbols(), RATES) if VIRTUAL in key_of(name).when]
+    return simplify(drive.substitute(dict.fromkeys(thought_of, ZERO))) if thought_of else drive
 
 
 def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:

@@ -356,8 +356,7 @@ class Touch(Connection, frozen=True):
         if bow is not None:
             middle = instant.pointing(ref.owner, heading(simplify((bow.first + bow.last) / 2)))
             ahead, least = middle.along(facing.turned(180)), heading(simplify((bow.last - bow.first) / 2)).cos()
-            when = " at" if instant.state else ""
-            otherwise = f"{spoken(ref.owner)} touches with an end of its round side{when}"
+            otherwise = f"{spoken(ref.owner)} touches with an end of its round side"
             yield Requirement(self.name, ROCKS, simplify(ahead), least, "", otherwise)
 
     def check_abreast(self, surface: Surface, instant: Moment) -> None:
