@@ -210,8 +210,8 @@ class Rule(Struct, frozen=True):
 
 class Need(Struct, frozen=True):
     """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N; `placed` where it is about places or
-    speeds, which change though all forces stay; `closed` where it is met on its edge as well; `stands` where it is about how a body stands at
-    a state."""
+    speeds, which change though all forces stay; `closed` where it is met on its edge as well; `stands` where it is about how a body
+    stands at a state."""
 
     name: str
     grips: bool = False

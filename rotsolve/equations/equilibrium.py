@@ -262,9 +262,10 @@ class Placing(Struct, frozen=True):
         return frozenset().union(*(self.configuration.component(host, state) for host in hosts))
 
     def carried(self, state: str) -> frozenset[str]:
-        """The bodies that are tied to one whose motion is given, with that."""
+        """The bodies that are tied to one that is given to move, with that."""
         present = [body.name for body in self.configuration.present(state)]
-        led = (name for name in present if self.configuration.drives(name, state))
+        drives = ((name, drive) for name in present for drive in self.configuration.drives(name, state))
+        led = (name for name, drive in drives if not drive.holds_still)
         return frozenset().union(*(self.configuration.component(name, state) for name in led))
 
     def hold(self, instant: Instant, words: tuple[str, ...], without: frozenset[str] = frozenset()) -> None:
