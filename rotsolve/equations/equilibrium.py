@@ -247,9 +247,12 @@ class Placing(Struct, frozen=True):
 
     def leading(self, near: Instant, group: frozenset[str], owner: str) -> str:
         """The body whose coordinate tells the swing: the one named, else a hinged one, else one that travels, else the first."""
+        if owner and near.held_still(near.host(owner)):
+            raise NotYet(f"`{owner}` is held still, and does not swing")
         if owner:
             return near.host(owner)
-        names = [body.name for body in self.configuration.present(near.state) if body.name in group]
+        present = [body.name for body in self.configuration.present(near.state) if body.name in group]
+        names = [name for name in present if not near.held_still(name)] or present
         turning = [name for name in names if angle_key(near, name) in self.registry.known]
         travelling = [name for name in names if near.motion(name).kind == "line"]
         return (turning or travelling or names)[0]
