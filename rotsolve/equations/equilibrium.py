@@ -58,12 +58,12 @@ def in_several_ways(facts: Facts, group: frozenset[str], terms: list[Formula]) -
 def balanced_places(rest: Instant, still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
     """The letters of angles that balance decides by itself, and their stable values; none where springs have a say in them."""
     supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
-    if in_several_ways(still, group, supplies):
+    balance = groups.drive(still, group)
+    if balance is None or in_several_ways(still, group, supplies):
         from rotsolve.equations.standing_modes import stable_angles
 
         return stable_angles(rest, still, group, signs)
-    balance = groups.drive(still, group)
-    if balance is None or balance == (ZERO, ZERO):
+    if balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
     drive = where_it_rests(balance[0] - balance[1])
     letters = of_kinds(drive.symbols(), PLACES)
