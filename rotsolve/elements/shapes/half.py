@@ -12,7 +12,7 @@ from rotsolve.language.shape import Bow, Place, Shape, extent
 
 class Hemisphere(Shape, frozen=True):
     word = "hemisphere"
-    noun = "solid half ball"
+    noun = "solid hemisphere"
     about = "uniform solid half ball seen from the side, symmetric about its +x axis; `center` is the ball's, on the flat side"
     symmetry_axis = "x"
     spread = "volume"
@@ -47,7 +47,7 @@ class Hemisphere(Shape, frozen=True):
 
 class HemisphericalShell(Hemisphere, frozen=True):
     word = "hemispherical shell"
-    noun = "thin half spherical shell"
+    noun = "hemispherical shell"
     about = "thin-walled hollow half ball seen from the side, symmetric about its +x axis; `center` is the ball's"
     spread = "surface"
 
