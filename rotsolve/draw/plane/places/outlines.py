@@ -27,7 +27,7 @@ from rotsolve.language.shape import Shape
 
 WALL = 0.88  # the inner edge of a thin ring beside its outer one
 AROUND = 72  # points of a circle that is taken as a polygon
-STEPS = 24  # of a curve
+STEPS = 48  # of a curve
 Value = Callable[[Formula], float]
 
 
