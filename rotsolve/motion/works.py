@@ -34,11 +34,11 @@ def works_on(body: BodyFacts, way: PhaseWorks, duration: Formula) -> Iterator[Wo
             summed = Integral(power, TIME, first.time(), way.last.time())
             amount = summed if TIME in power.symbols() else power * duration
             yield named_work(couple.owner, None if running(power.symbols()) else amount, (name,), interval, first)
-        elif not (couple.internal or couple.role.stores or couple.role.inner or idle(couple, body, first)):
+        elif not (couple.internal or couple.role.stores or couple.role.inner or holds_at_rest(couple, body, first)):
             yield named_work(couple.owner, way.of_turn(couple.torque, body), (name,), interval, first)
 
 
-def idle(couple: Couple, body: BodyFacts, first: Instant) -> bool:
+def holds_at_rest(couple: Couple, body: BodyFacts, first: Instant) -> bool:
     """Whether a couple acts on what is held still all the time, as a wheel that is kept from turning, and nobody asks for its work."""
     asked = first.configuration.mentions.asks
     return body.motion.spin == ZERO and not (asked(couple.owner, "work") or asked(couple.owner, "power"))

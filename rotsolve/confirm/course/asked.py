@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE, TORQUE
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.astray import letting_go
 from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
@@ -168,9 +167,12 @@ class Asker:
         at, dimension = self.course.node(state), QUANTITIES[term.path.quantity].dimension
         if dimension in (*OF_RATES, *OF_FORCES):
             own = term.path.owner if dimension in OF_FORCES else ""  # its own push says by its sign that it lets go
-            letting = [letting_go(kind, owner) for owner, kind in at.moment.lifted if kind == EDGE or owner != own]
+            letting = [(kind, owner) for owner, kind in at.moment.lifted if kind == EDGE or owner != own]
             if letting:
-                raise Astray(f"{letting[0]} at `{state}`" if state else letting[0])
+                from rotsolve.confirm.course.astray import letting_go
+
+                words = letting_go(*letting[0])
+                raise Astray(f"{words} at `{state}`" if state else words)
         return reading(at, term.path, term)
 
     def over(self, term: Term) -> Reckoned:
