@@ -140,7 +140,7 @@ class Rolls(Touch, frozen=True):
         if not (scene.problem.space or is_round):
             message = f"`{wheel.owner}` is not round where it touches, and does not roll"
             help = (
-                "give it a round shape, a `radius` or `radii`, half a disc by its `r` and `phi`; "
+                "give it a round shape, a `radius` or `radii`, half a disc by its `r` and `phi`, half a ball as a `hemisphere`; "
                 "what lies on a side or a corner has a `contact`"
             )
             raise Unsolvable(message, span=wheel.span, help=help)
