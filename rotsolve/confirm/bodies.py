@@ -205,6 +205,31 @@ def radius_of(body: Body, point: str | None, value: Value) -> float | None:
     return None if found is None else value(found)
 
 
+class Rocker(Struct, frozen=True):
+    """What is round on one side alone: its radius, and from where to where that side goes, as angles in the axes of its body."""
+
+    radius: float
+    first: float
+    last: float
+
+    def spare(self, way: float) -> float:
+        """How far inside its round side a direction of the body's axes is: cos of the angle to the middle less that of half its opening."""
+        middle, half = (self.first + self.last) / 2, (self.last - self.first) / 2
+        return math.cos(way - middle) - math.cos(half)
+
+
+def rocker(body: Body, point: str | None, value: Value) -> Rocker | None:
+    """The round side of a body, or of the part of it that a point names."""
+    part = part_of(body, point)
+    if part is None and point is not None:
+        return None
+    bow = shape_of(body if part is None else part.body).bow()
+    if bow is None:
+        return None
+    turn = 0.0 if part is None else frame(part, value)[1]
+    return Rocker(value(bow.radius), value(bow.first) + turn, value(bow.last) + turn)
+
+
 def is_round(body: Body) -> bool:
     """Whether it looks like a circle: its shape does, or it has a radius without a shape."""
     if body.shape is not None and not body.shape.pointlike:

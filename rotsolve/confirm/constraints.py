@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -202,11 +203,14 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
     ref, under = item.pair()[:2]
     body, out = model.body(ref.owner), normal(surface, model)
     ahead, radius = turned(out, -1), 0.0
-    wheel = on_rim(body, ref.point) or (
-        ref.point in ("bottom", "center") and radius_of(body, None, model.value) is not None
+    rocks = model.rocking(ref.owner, item)
+    wheel = (
+        on_rim(body, ref.point)
+        or rocks is not None
+        or (ref.point in ("bottom", "center") and radius_of(body, None, model.value) is not None)
     )
     if wheel:
-        radius = radius_of(body, ref.point, model.value) or 0.0
+        radius = rocks.radius if rocks is not None else radius_of(body, ref.point, model.value) or 0.0
         place = pose.place(ref.owner, model.spot(PointRef(ref.owner, ref.point if part_of(body, ref.point) else None)))
     else:
         place = tied_at(ref, pose, model)
@@ -215,7 +219,11 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
             raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
         x, y = pose.place(under.owner, model.seats[under.owner].rigid.centre)
         place = place[0] - x, place[1] - y
-    yield held(item.name, "normal", along(place, out), pose, push=True)
+    pushing = held(item.name, "normal", along(place, out), pose, push=True)
+    if rocks is not None:
+        down = math.atan2(-out[1], -out[0]) - pose.turn(ref.owner).value
+        pushing = replace(pushing, edge=rocks.spare(down))
+    yield pushing
     if not wheel and rests(item, model):
         yield held(item.name, "torque", pose.turn(ref.owner), pose)
     slip = along(place, ahead) + (pose.turn(ref.owner) * radius if radius else 0.0)

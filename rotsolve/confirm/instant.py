@@ -18,7 +18,7 @@ from rotsolve.confirm.jet import Slope
 from rotsolve.confirm.linear import Solved, solved
 from rotsolve.confirm.lines import Stated, told
 from rotsolve.confirm.pose import Pose, Way
-from rotsolve.confirm.rows import Grip, Row, unknown
+from rotsolve.confirm.rows import EDGE, Grip, Row, unknown
 from rotsolve.confirm.seating import seated
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
@@ -153,9 +153,12 @@ class Dynamics(Struct, frozen=True, dict=True):
 
     @property
     def pressing(self) -> dict[tuple[str, str], float]:
-        """The limits of friction that has a size of its own, by brake or axle."""
+        """The limits of friction that has a size of its own, by brake or axle; how far what rocks is from an end of its round side, times
+        the largest reaction."""
         limits = ((grip, grip.kinetic) for grip in self.grips if grip.normal is None)
-        return {(grip.name.split(".")[0], "press"): limit for grip, limit in limits if limit is not None}
+        found = {(grip.name.split(".")[0], "press"): limit for grip, limit in limits if limit is not None}
+        size = max([abs(value) for value in self.reactions.values()], default=0.0)
+        return found | {(row.owner, EDGE): row.edge * size for row in self.rows.values() if row.edge is not None}
 
 
 def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[list[Row], list[Grip], dict[str, Slope]]:

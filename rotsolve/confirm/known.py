@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Protocol
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.confirm.bodies import Spot
+from rotsolve.confirm.bodies import Rocker, Spot
 from rotsolve.confirm.inforce import InForce
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.pose import Pair, Pose, Seat, StringPart, Way
 from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.problem import Problem
 
@@ -61,3 +62,4 @@ class Known(Protocol):
     def tied(self, ref: PointRef) -> Spot: ...
     def middle(self, ref: PointRef) -> PointRef: ...
     def turns(self, name: str) -> bool: ...
+    def rocking(self, name: str, on: Touch | None = None) -> Rocker | None: ...

@@ -15,6 +15,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import (
     Mass,
     Rigid,
+    Rocker,
     Spot,
     as_one,
     is_round,
@@ -22,6 +23,7 @@ from rotsolve.confirm.bodies import (
     part_of,
     radius_of,
     rigid,
+    rocker,
     side_of,
     spot_of,
 )
@@ -130,7 +132,7 @@ class Model:
     def turns(self, name: str) -> bool:
         """Whether a body on a line turns: a round one, or one that is said to."""
         body = self.body(name)
-        return body.turns is not None or radius_of(body, None, self.value) is not None
+        return body.turns is not None or radius_of(body, None, self.value) is not None or self.rocking(name) is not None
 
     def joined_to(self, name: str) -> tuple[str, ...]:
         """A body and all that are one with it."""
@@ -187,10 +189,20 @@ class Model:
         body = self.body(name)
         for item in self.acting.connections:
             if item.lying() == name and (
-                is_round(body) or (isinstance(item, Touch) and on_rim(body, item.pair()[0].point))
+                is_round(body)
+                or (isinstance(item, Touch) and (on_rim(body, item.pair()[0].point) or self.rocking(name, item)))
             ):
                 part = isinstance(item, Touch) and part_of(body, item.pair()[0].point) is not None
                 return PointRef(name, item.pair()[0].point if part else None)
+        return None
+
+    def rocking(self, name: str, on: Touch | None = None) -> Rocker | None:
+        """The round side with which a body lies on something, or on that alone which a contact names."""
+        for item in self.acting.connections if on is None else (on,):
+            if isinstance(item, Touch) and item.lying() == name:
+                found = rocker(self.body(name), item.pair()[0].point, self.value)
+                if found is not None:
+                    return found
         return None
 
     def tied(self, ref: PointRef) -> Spot:

@@ -7,12 +7,15 @@ from msgspec import Struct
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.pose import Pose
 
+EDGE = "edge"  # the kind of what is near an end of a round side
+
 
 class Row(Struct, frozen=True):
     """slope · q̇ = speed and slope · q̈ = bend, kept up by a reaction λ that acts along `column` on the coordinates.
 
     `gap` is by how much the places miss, where that matters (`hard`); a `push` can only be positive, as a normal force or a tension.
     `most` is how large all reactions of its owner that have one may be together, as one vector.
+    `edge` is how far what touches there is from touching with an end of its round side, as a difference of cosines.
     `loose` marks what holds in places but not in rates: it only says where things are; a
     `speed` or `bend` of None, what tells accelerations alone, or rates alone.
     """
@@ -28,6 +31,7 @@ class Row(Struct, frozen=True):
     push: bool = False
     loose: bool = False
     most: float | None = None
+    edge: float | None = None
 
     @property
     def key(self) -> tuple[str, str]:

@@ -57,7 +57,9 @@ def rests(item: Touch, model: Known) -> bool:
     """Whether a body lies or rolls there, and does not just lean on it with a point."""
     ref = item.pair()[0]
     body = model.body(ref.owner)
-    return ref.point in (None, "bottom", "center", "cm") or on_rim(body, ref.point)
+    return (
+        ref.point in (None, "bottom", "center", "cm") or on_rim(body, ref.point) or bool(model.rocking(body.name, item))
+    )
 
 
 def surface_of(item: Touch, model: Known) -> Surface | None:

@@ -53,6 +53,11 @@ class Drive(Struct, frozen=True):
         return found
 
     @property
+    def holds_still(self) -> bool:
+        """Whether what is given is that it does not move: an angle that stays, an angular velocity of nothing."""
+        return self.order < 2 and is_zero(self.rates()[self.kinds[1]])
+
+    @property
     def pace(self) -> str:
         """How the acceleration varies (see core.symbols)."""
         return pace_of(self.rates()[self.kinds[2]])

@@ -210,13 +210,15 @@ class Rule(Struct, frozen=True):
 
 class Need(Struct, frozen=True):
     """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N; `placed` where it is about places or
-    speeds, which change though all forces stay; `closed` where it is met on its edge as well, `strict` where that is another scene."""
+    speeds, which change though all forces stay; `closed` where it is met on its edge as well, `strict` where that is another scene;
+    `stands` where it is about how a body stands at a state."""
 
     name: str
     grips: bool = False
     placed: bool = False
     closed: bool = False
     strict: bool = False
+    stands: bool = False
 
 
 TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
@@ -231,7 +233,8 @@ TURNS = Need("turns", closed=True)  # the slip of what friction turns too, in a 
 SLIDES = Need("slides", placed=True, closed=True)  # what slips through a blow, on the same way
 LIFTS = Need("lifts", placed=True)  # what is taken along leaves what it lay on
 PRESSES = Need("presses", placed=True, closed=True)  # a brake block does not pull
-LIES = Need("lies", placed=True, closed=True)  # a ladder in front of its wall, and not in it
+LIES = Need("lies", placed=True, closed=True, stands=True)  # a ladder in front of its wall, and not in it
+ROCKS = Need("rocks", placed=True, closed=True, stands=True)  # half a cylinder on its round side
 STANDS = Need("stands", placed=True, closed=True)  # a crate on its base
 ON_THE_WAY = Need("on the way", placed=True, closed=True)  # what is least within a phase
 

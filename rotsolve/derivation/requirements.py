@@ -17,6 +17,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import UNSOLVED
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import CONSTANT, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.motion.freebody import free_bodies
@@ -123,6 +124,12 @@ def sign_of(gap: Formula | None, need: Requirement, place: str, search: Search, 
     return sign
 
 
+def just_drawn(state: State, search: Search) -> bool:
+    """Whether bodies stand at a state as they are drawn and nothing is asked of that, since all that is asked is of swings."""
+    terms = [term for answered in search.answered for term in answered.asked.find.terms]
+    return not state.name and all(term.path.quantity in OSCILLATING for term in terms)
+
+
 def margin_of(
     need: Requirement, search: Search, laws: tuple[str, ...], sought: Mapping[str, Formula]
 ) -> tuple[Settling, Formula | None]:
@@ -157,10 +164,14 @@ def requirements_by_state(
     scene = search.scene
     for state in scene.configuration.timeline.states:
         needs = scene.facts(state.name).requirements
-        fleeting = passing(state.name, search)
+        fleeting, drawn = passing(state.name, search), just_drawn(state, search)
         yield (
             state.name,
-            tuple(need for need in needs if not (need.kind.grips and fleeting) or said_to_hold(need, state)),
+            tuple(
+                need
+                for need in needs
+                if not ((need.kind.grips and fleeting) or (need.kind.stands and drawn)) or said_to_hold(need, state)
+            ),
         )
     for name, encounter in scene.encounters.items():
         yield name, encounter.requirements
@@ -282,10 +293,10 @@ def objection(need: Requirement, state: str, search: Search, letters: Letters) -
     """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
     names = symbols_in(need, search, letters)
     left, right = (side.substitute(names) for side in (need.left, need.right))
-    if need.kind.placed:
-        return (f"{need.otherwise} {spoken(state)}",)
-    relation: Words = (right, " ≤ ", left) if need.kind.grips else (left, " > 0")
     moment = f" at {spoken(state)}" if state else ""
+    if need.kind.placed:
+        return (f"{need.otherwise}{moment}" if need.kind.stands else f"{need.otherwise} {spoken(state)}",)
+    relation: Words = (right, " ≤ ", left) if need.kind.grips else (left, " > 0")
     return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
 
 

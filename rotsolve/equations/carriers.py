@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Facts
@@ -31,7 +30,7 @@ def carried_accelerations(instant: Instant, facts: Facts, group: frozenset[str])
             continue
         functions, rate = drive.rates(), moving(instant).driven(drive, drive.kinds[1])
         change = functions[drive.kinds[2]]
-        turns = drive.kinds == TURNING and not (drive.order < 2 and is_zero(functions[drive.kinds[1]]))
+        turns = drive.kinds == TURNING and not drive.holds_still
         if turns or drive.pace != CONSTANT:
             raise NotYet(f"`{drive.body}` carries what swings, and is led: {ONLY}")
         letter = instant.driven(drive, drive.kinds[2])

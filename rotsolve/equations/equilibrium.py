@@ -23,6 +23,7 @@ from rotsolve.core.symbols import (
     RATES,
     REST,
     TIME,
+    VIRTUAL,
     SymbolKey,
     is_quantity,
     key_of,
@@ -57,14 +58,14 @@ def in_several_ways(facts: Facts, group: frozenset[str], terms: list[Formula]) -
 def balanced_places(rest: Instant, still: Facts, group: frozenset[str], signs: SignOracle) -> dict[str, Formula]:
     """The letters of angles that balance decides by itself, and their stable values; none where springs have a say in them."""
     supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
-    if in_several_ways(still, group, supplies):
+    balance = groups.drive(still, group)
+    if balance is None or in_several_ways(still, group, supplies):
         from rotsolve.equations.standing_modes import stable_angles
 
         return stable_angles(rest, still, group, signs)
-    balance = groups.drive(still, group)
-    if balance is None or balance == (ZERO, ZERO):
+    if balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
-    drive = balance[0] - balance[1]
+    drive = where_it_rests(balance[0] - balance[1])
     letters = of_kinds(drive.symbols(), PLACES)
     calls = [node for node in drive.walk(Call) if isinstance(node, Call)]
     if not any(letter in node.symbols() for letter in letters for node in calls):  # in a sine or cosine
@@ -80,6 +81,12 @@ def balanced_places(rest: Instant, still: Facts, group: frozenset[str], signs: S
     if len(stable) != 1:
         raise NotYet("the stable equilibrium is not told", help=STATE_IT)
     return {letters[0]: simplify(stable[0])}
+
+
+def where_it_rests(drive: Formula) -> Formula:
+    """What drives a group where it rests: the motion along which that works is only thought of, and as slow as one likes."""
+    thought_of = [name for name in of_kinds(drive.symbols(), RATES) if VIRTUAL in key_of(name).when]
+    return simplify(drive.substitute(dict.fromkeys(thought_of, ZERO))) if thought_of else drive
 
 
 def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
@@ -240,9 +247,12 @@ class Placing(Struct, frozen=True):
 
     def leading(self, near: Instant, group: frozenset[str], owner: str) -> str:
         """The body whose coordinate tells the swing: the one named, else a hinged one, else one that travels, else the first."""
+        if owner and near.held_still(near.host(owner)):
+            raise NotYet(f"`{owner}` is held still, and does not swing")
         if owner:
             return near.host(owner)
-        names = [body.name for body in self.configuration.present(near.state) if body.name in group]
+        present = [body.name for body in self.configuration.present(near.state) if body.name in group]
+        names = [name for name in present if not near.held_still(name)] or present
         turning = [name for name in names if angle_key(near, name) in self.registry.known]
         travelling = [name for name in names if near.motion(name).kind == "line"]
         return (turning or travelling or names)[0]
@@ -255,9 +265,10 @@ class Placing(Struct, frozen=True):
         return frozenset().union(*(self.configuration.component(host, state) for host in hosts))
 
     def carried(self, state: str) -> frozenset[str]:
-        """The bodies that are tied to one whose motion is given, with that."""
+        """The bodies that are tied to one that is given to move, with that."""
         present = [body.name for body in self.configuration.present(state)]
-        led = (name for name in present if self.configuration.drives(name, state))
+        drives = ((name, drive) for name in present for drive in self.configuration.drives(name, state))
+        led = (name for name, drive in drives if not drive.holds_still)
         return frozenset().union(*(self.configuration.component(name, state) for name in led))
 
     def hold(self, instant: Instant, words: tuple[str, ...], without: frozenset[str] = frozenset()) -> None:

@@ -9,7 +9,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Negative, Symbol, call
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import Equation
@@ -108,10 +108,8 @@ class Swing(Struct, frozen=True, dict=True):
         weight = next((force for force in body.forces if force.role.weighs), None)
         if weight is None or body.motion.kind != "axis" or not is_zero(weight.arm.along(RIGHT)):
             return ""
-        height = simplify(weight.arm.along(UP))
-        if height == ZERO:
-            return ""
-        return " (hanging straight down)" if isinstance(height, Negative) else " (straight up)"
+        side = self.rest.configuration.signs.of_sizes(simplify(weight.arm.along(UP)))
+        return {-1: " (hanging straight down)", 1: " (straight up)"}.get(side or 0, "")
 
     @property
     def place(self) -> str:

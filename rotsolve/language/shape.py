@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, ClassVar
 
+from msgspec import Struct
+
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
@@ -22,6 +24,14 @@ def extent(help: str, letter: str) -> Formula | None:
     """The field of a length that a shape has."""
     declared: Formula | None = amount(help, "length", letter, "positive", default=None)
     return declared
+
+
+class Bow(Struct, frozen=True):
+    """The arc of a circle about the centre of a shape with which it rocks on a floor: |r| = radius, from one angle to another."""
+
+    radius: Formula
+    first: Formula
+    last: Formula
 
 
 class Shape(Element, frozen=True):
@@ -91,6 +101,11 @@ class Shape(Element, frozen=True):
         """Width and height of what looks like a rectangle."""
         return ()
 
+    def bow(self) -> Bow | None:
+        """The part of its edge that is round about its centre, beyond which nothing of it reaches; None of what has none, or is round all
+        about."""
+        return None
+
     def outline(self) -> tuple[Place, ...]:
         """The corners or ends with which it may stand on something, in its own axes; none of what is round or a point."""
         return ()
@@ -143,8 +158,8 @@ class Shape(Element, frozen=True):
 
     @property
     def outer(self) -> Formula | None:
-        """Radius of the rim of a round shape."""
-        return getattr(self, "radius", None)
+        """Radius of the rim of a shape that is round all about."""
+        return None if self.bow() is not None else getattr(self, "radius", None)
 
 
 def corners_of_box(width: Formula, height: Formula) -> tuple[Place, ...]:

@@ -124,7 +124,10 @@ def check_pairs(problem: Problem, bodies: Mapping[str, Body]) -> None:
     for item in problem.connections:
         for ref in item.touches() if item.bodily else ():
             if ref.owner not in bodies:
-                raise Unsolvable(f"`{item.word}` joins bodies, and `{ref.owner}` is none", span=ref.span)
+                help = (
+                    "hold what does not turn by an `axle` with `angular_velocity: 0`" if ref.owner == "ground" else ""
+                )
+                raise Unsolvable(f"`{item.word}` joins bodies, and `{ref.owner}` is none", span=ref.span, help=help)
             body = bodies[ref.owner]
             if item.rimmed and rim_radius(body, ref.point) is None and "rim" not in shape_of(body).points:
                 raise Unsolvable(f"`{ref.owner}` has no radius on which a {item.word} could run", span=ref.span)

@@ -12,7 +12,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import MIXED, UNKNOWN, combined
 from rotsolve.core.vectors.heading import RIGHT, UP, WORDS, Heading, Vector, heading
-from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, shape_of, touching_radius
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rigid import Frame, centre_of_mass, direction_of, locate, pieces, polar, rim_centre, rim_ways, tidy
@@ -196,7 +196,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
         for item in self.connections(state):
             if item.lying() == name and (item.track(body, self, state) or item.orbit(body, self, state)):
                 ref = item.slider()
-                return None if rim_radius(body, ref.point) is None else rim_centre(body, ref.point)
+                return None if touching_radius(body, ref.point) is None else rim_centre(body, ref.point)
         return None
 
     def eccentric(self, name: str, state: str) -> bool:

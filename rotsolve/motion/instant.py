@@ -12,10 +12,12 @@ from rotsolve.core.symbols import GENERIC, TIME, paths_in
 from rotsolve.core.vectors.heading import (
     NOWHERE,
     TURNS,
+    Heading,
     Vector,
     cartesian,
     heading,
     opposite,
+    unit,
     vector,
 )
 from rotsolve.elements.shapes import rim_radius
@@ -48,6 +50,12 @@ class Instant(Standing, frozen=True, dict=True):
         """The centre of the rim that a point names, from its host's reference point, in space."""
         seat = self.configuration.seat(ref.owner, self.state)
         return self._from_reference(seat.host, seat.place(rim_centre(self.body(ref.owner), ref.point)))
+
+    def pointing(self, name: str, way: Heading) -> Vector:
+        """A direction of a body's own axes, in space."""
+        seat = self.configuration.seat(name, self.state)
+        turned = seat.place(unit(way)) - seat.place(NOWHERE)
+        return polar(tidy(turned)).rotated(self.orientation(seat.host))
 
     def _from_reference(self, name: str, place_in_body: Vector) -> Vector:
         return polar(tidy(place_in_body - self.frame(name).reference)).rotated(self.orientation(name))

@@ -48,7 +48,7 @@ from rotsolve.core.vectors.triple import (
 )
 from rotsolve.core.vectors.triple import rotated as rotated_in_space
 from rotsolve.core.writing import is_negative
-from rotsolve.elements.shapes import Shape, rim_radius, rims, round_part, shape_of
+from rotsolve.elements.shapes import Shape, rim_radius, rims, rolling_part, shape_of
 from rotsolve.language.problem import Body, Part, PointRef
 
 MINUS = Number(Fraction(-1))
@@ -402,7 +402,7 @@ def rim_ways(body: Body) -> dict[str, Heading]:
 
 def rim_centre(body: Body, point: str | None) -> Vector:
     """Place of the centre of the rim that a point names: that of the part of this name, else of the body."""
-    part = round_part(body, point)
+    part = rolling_part(body, point)
     return NOWHERE if part is None else part_frame(part)[1]
 
 

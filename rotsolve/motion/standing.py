@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct, field
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate
-from rotsolve.core.drive import TRAVELLING, Drive
+from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import PLANE, QUANTITIES
@@ -131,9 +131,17 @@ class Standing(Struct, frozen=True, dict=True):
         return TURNS if self.sense(name) > 0 else (TURNS[1], TURNS[0])
 
     def rate(self, word: str, name: str) -> Formula:
-        """Angular velocity or acceleration of a body, counted along its positive sense."""
+        """Angular velocity or acceleration of a body, counted along its positive sense; of what is held still none in thought either."""
+        thought_of = (self.generic and self.mark != GENERIC) or (self.virtual and word == "angular_velocity")
+        if thought_of and self.held_still(name):
+            return ZERO
         when = self.span(name) if word == "angular_acceleration" else self.moving
         return self.ask(word, name, when=when, words=self.turn_words(name))
+
+    def held_still(self, name: str) -> bool:
+        """Whether it is given that a body does not turn."""
+        drives = self.configuration.drives(name, self.state)
+        return any(drive.kinds == TURNING and drive.holds_still for drive in drives)
 
     def driven(self, drive: Drive, word: str) -> Formula:
         """The letter of a coordinate that is given, or of its rate or acceleration."""

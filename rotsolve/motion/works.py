@@ -10,7 +10,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Integral, total
 from rotsolve.algebra.units.dimension import LENGTH
-from rotsolve.core.facts import BodyFacts, Force, signed
+from rotsolve.core.facts import BodyFacts, Couple, Force, signed
 from rotsolve.core.passage import Work
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import CONSTANT, RATES, TIME, at_any_time, running
@@ -34,8 +34,14 @@ def works_on(body: BodyFacts, way: PhaseWorks, duration: Formula) -> Iterator[Wo
             summed = Integral(power, TIME, first.time(), way.last.time())
             amount = summed if TIME in power.symbols() else power * duration
             yield named_work(couple.owner, None if running(power.symbols()) else amount, (name,), interval, first)
-        elif not (couple.internal or couple.role.stores or couple.role.inner):
+        elif not (couple.internal or couple.role.stores or couple.role.inner or holds_at_rest(couple, body, first)):
             yield named_work(couple.owner, way.of_turn(couple.torque, body), (name,), interval, first)
+
+
+def holds_at_rest(couple: Couple, body: BodyFacts, first: Instant) -> bool:
+    """Whether a couple acts on what is held still all the time, as a wheel that is kept from turning, and nobody asks for its work."""
+    asked = first.configuration.mentions.asks
+    return body.motion.spin == ZERO and not (asked(couple.owner, "work") or asked(couple.owner, "power"))
 
 
 class PhaseWorks(Struct, frozen=True):
@@ -102,10 +108,12 @@ class PhaseWorks(Struct, frozen=True):
         self, effort: Formula, change: Formula | None, rate: Formula, name: str, midway: Formula | None = None
     ) -> Formula | None:
         """effort · change; ∫ effort · rate dt where the effort varies in time, ∫ effort dx where it varies with the place, and
-        None where it varies with the speed, or in a way not told: then energy tells the work.
+        None where it varies with the speed, or in a way not told: then energy tells the work. What keeps still has none done on it.
 
         `midway` is what changes, at any moment, where places tell it.
         """
+        if rate == ZERO:
+            return ZERO
         letters = effort.symbols()
         if TIME in letters:
             return Integral(effort * rate, TIME, self.first.time(), self.last.time())

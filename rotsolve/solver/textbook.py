@@ -125,7 +125,8 @@ class Textbook(Struct, kw_only=True):
             value = simplify(value.transform(self.without_bars, "abs"), order=self.order, positive=self.positive)
         if value.holds("atan2"):
             value = simplify(value.transform(self.angle_of_ratio, "atan2"), order=self.order, positive=self.positive)
-            value = value.transform(self.within_half_a_turn, "atan2")
+            turned = value.transform(self.within_half_a_turn, "atan2")
+            value = value if turned == value else simplify(turned, order=self.order, positive=self.positive)
         value = value.transform(self.angle_of_sine, "asin")
         value = value.transform(self.of_one_root, "sin", "cos").transform(self._exponential, "exp", "log")
         return in_powers(value, TIME, order=self.order, positive=self.positive)

@@ -105,7 +105,7 @@ def test_a_loaded_hoop_rests_with_its_load_below(made: str, way: str) -> None:
 
 
 BENT = {
-    "a half disc": "shape: lamina, region: {r: [0, R], phi: [-pi, 0]}",
+    "a half disc by x and y": "shape: lamina, region: {x: [-R, R], y: [-sqrt(R^2 - x^2), 0]}",
     "a half ball": "shape: solid of revolution, profile: {z: [-R, 0], r: sqrt(R^2 - z^2)}",
     "an ellipsoid": "shape: ellipsoid, sides: [R, 2*R, R]",
 }

@@ -19,6 +19,7 @@ from rotsolve.core.slicing import Range, coordinate
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, ROWS, InertiaTensor, Place, displaced
 from rotsolve.elements.shapes import SHAPES, Shape
 from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
+from rotsolve.elements.shapes.half import Hemisphere, HemisphericalShell
 from rotsolve.elements.shapes.integrated import Graded, Lamina, Revolution
 from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
@@ -45,6 +46,8 @@ SLICED: tuple[Shape, ...] = (
     Sphere(R),
     SphericalShell(R),
     SphericalShell(None, WALLS),
+    Hemisphere(R),
+    HemisphericalShell(R),
     Cone(R, L),
     Cuboid((a, b, c)),
     Ellipsoid((a, b, c)),

@@ -60,6 +60,12 @@ HUNG = (
     "events: {hit: {joins: [bob, ring.center], from: before, to: after}}\nfind: {x: bob.velocity.x at after}\n"
 )
 
+EGG = "surfaces: {floor: level}\nbodies: {egg: {mass: M, moves: right, shape: ellipsoid, sides: [R, R/2, R/2]}}\n"
+ROCKS = (
+    "surfaces: {floor: level}\nbodies: {half: {shape: hemisphere, mass: M, radius: R, moves: right, turns: clockwise}}\n"
+    "connections: {base: {rolls: [half, floor]}}\n"
+)
+ALPHA = "find: {x: half.angular_acceleration at now}\n"
 SLED = (
     "surfaces: {floor: level}\nbodies: {sled: {mass: M, moves: right}}\n"
     "connections: {base: {contact: [sled, floor], friction: 0.3}, coil: {spring: [ground, sled], stiffness: 400 N/m}}\n"
@@ -489,6 +495,25 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
     "way of what is caught": (
         CAUGHT + "find: {x: ball.cm.displacement.x from before to end}\n",
         CAUGHT + "find: {x: rod.end.displacement.x from after to end}\n",
+    ),
+    "an ellipse that rolls": (
+        f"{EGG}connections: {{base: {{rolls: [egg, floor]}}}}\n{SWING}",
+        f"{EGG.replace('shape: ellipsoid, sides: [R, R/2, R/2]', 'shape: hemisphere, radius: R')}"
+        f"connections: {{base: {{rolls: [egg, floor]}}}}\n{SWING}",
+    ),
+    "an ellipse that lies": (f"{EGG}connections: {{base: {{contact: [egg, floor]}}}}\n{SWING}", ""),
+    "a half ball in a bowl": (
+        "surfaces: {bowl: {hollow: L}}\nbodies: {half: {shape: hemisphere, mass: M, radius: R}}\n"
+        f"connections: {{base: {{rolls: [half, bowl]}}}}\n{SWING}",
+        "surfaces: {bowl: {hollow: L}}\nbodies: {half: {shape: sphere, mass: M, radius: R}}\n"
+        f"connections: {{base: {{rolls: [half, bowl]}}}}\n{SWING}",
+    ),
+    "beyond the round side": (f"{ROCKS}{REST.replace('at rest: all', 'half.angle: 20 deg, at rest: all')}{ALPHA}", ""),
+    "a round side that ends on the way": (
+        f"{ROCKS}states: {{now: {{half.angle: -30 deg, half.angular_velocity: 3*w}}, end: {{half.rotation: 170 deg}}}}\n"
+        "find: {x: half.angular_velocity at end}\n",
+        f"{ROCKS}states: {{now: {{half.angle: -30 deg, half.angular_velocity: 3*w}}, end: {{half.rotation: 90 deg}}}}\n"
+        "find: {x: half.angular_velocity at end}\n",
     ),
 }
 

@@ -15,6 +15,7 @@ from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
 from rotsolve.confirm.numbers import options_that_hold, value_of
+from rotsolve.confirm.rows import EDGE
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term
@@ -166,9 +167,12 @@ class Asker:
         at, dimension = self.course.node(state), QUANTITIES[term.path.quantity].dimension
         if dimension in (*OF_RATES, *OF_FORCES):
             own = term.path.owner if dimension in OF_FORCES else ""  # its own push says by its sign that it lets go
-            letting = [owner for owner, _ in at.moment.lifted if owner != own]
+            letting = [(kind, owner) for owner, kind in at.moment.lifted if kind == EDGE or owner != own]
             if letting:
-                raise Astray(f"`{letting[0]}` lets go at `{state}`" if state else f"`{letting[0]}` lets go")
+                from rotsolve.confirm.course.astray import letting_go
+
+                words = letting_go(*letting[0])
+                raise Astray(f"{words} at `{state}`" if state else words)
         return reading(at, term.path, term)
 
     def over(self, term: Term) -> Reckoned:

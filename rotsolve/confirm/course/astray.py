@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from rotsolve.confirm.course.node import Astray, Node
+from rotsolve.confirm.rows import EDGE
 
 TOUCHING = 1e-9  # metres: at the blow itself they are not yet through each other
 
 
 class LetsGo(Astray):
-    """What only pushes or pulls would have to do the opposite on the way."""
+    """What only pushes or pulls would have to do the opposite on the way, or touch with an end of a round side."""
 
-    def __init__(self, owner: str, first: str, last: str) -> None:
-        super().__init__(f"`{owner}` lets go on the way from `{first}` to `{last}`")
+    def __init__(self, kind: str, owner: str, first: str, last: str) -> None:
+        super().__init__(f"{letting_go(kind, owner)} on the way from `{first}` to `{last}`")
+
+
+def letting_go(kind: str, owner: str) -> str:
+    """What becomes of a touch or a string that holds no longer, by what of it gives way."""
+    return f"`{owner}` {'is at an end of its round side' if kind.endswith(EDGE) else 'lets go'}"
 
 
 class GivesWay(Astray):

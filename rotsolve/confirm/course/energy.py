@@ -89,7 +89,7 @@ def given_way(key: tuple[str, str], first: Node, state: State) -> Astray:
     names = first.model.acting.state.name, state.name
     if key in spaces(first, rods=True):
         return MeetAgain(key, *names)
-    return GivesWay(key[1], *names) if key[0] in (FORWARD, BACK) else LetsGo(key[1], *names)
+    return GivesWay(key[1], *names) if key[0] in (FORWARD, BACK) else LetsGo(*key, *names)
 
 
 def check_grips(first: Node, at: Node, state: State) -> None:
@@ -162,8 +162,8 @@ def check_reached(first: Node, q: list[float], whole: float, state: State) -> No
 
 def check_way(at: Node, state: State) -> None:
     """Astray where what only pushes would have to pull on the way, or bodies meet again."""
-    for owner, _ in at.moment.lifted:
-        raise LetsGo(owner, at.model.acting.state.name, state.name)
+    for owner, kind in at.moment.lifted:
+        raise LetsGo(kind, owner, at.model.acting.state.name, state.name)
     check_apart(at, state.name)
 
 

@@ -180,13 +180,14 @@ class NextState:
             return NotConfirmed(f"whether it comes to `{self.state.name}` or just passes it by")
         if way[0].startswith(APART):
             return MeetAgain((way[0].removeprefix(APART), way[1]), *names)
-        return LetsGo(way[1], *names)
+        return LetsGo(*way, *names)
 
     def settled(self) -> dict[str, str]:
         """How what may slip behaves from here on."""
         found = self.node.moment
         if found.lifted:
-            raise self.astray(("push", found.lifted[0][0]))
+            owner, kind = found.lifted[0]
+            raise self.astray((f"push {kind}", owner))
         return found.modes
 
     def law(self, modes: dict[str, str]) -> Law:

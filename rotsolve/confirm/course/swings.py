@@ -160,13 +160,13 @@ class Small(Neighbourhood):
         return (4.0 * near - wide) / 3.0
 
     def equilibrium(self, start: float) -> float | None:
-        """Where nothing pushes, by Newton's way from a start."""
+        """Where nothing pushes, by Newton's way from a start; where pushes lead away from their zero, the way that they push."""
         value = start
         for _ in range(40):
             push, slope = self.push(value), self.bend(value)
             if slope == 0.0:
                 return None
-            change = -push / slope
+            change = -push / slope if slope < 0.0 or not push else math.copysign(0.5, push)
             value += max(-0.5, min(0.5, change))
             if abs(change) < 1e-11 * max(1.0, abs(value)):
                 return value

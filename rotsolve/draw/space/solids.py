@@ -17,6 +17,7 @@ from rotsolve.draw.plane.places.outlines import Value, lamina_outline, stepped
 from rotsolve.draw.plane.places.outlines import as_number as as_formula
 from rotsolve.draw.space.view import ring
 from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes.half import Hemisphere
 from rotsolve.elements.shapes.integrated import Graded, Lamina, Revolution
 from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
@@ -126,6 +127,16 @@ def sphere_solid(shape: Sphere | SphericalShell, value: Value) -> Shown:
         yield from ball((value(outer),) * 3)
 
 
+def hemisphere_solid(shape: Hemisphere, value: Value) -> Shown:
+    """Half a ball: all that it hides, and its flat side."""
+    if shape.radius is not None:
+        radius = value(shape.radius)
+        heights = [radius * math.sin(math.pi / 2 * k / BANDS) for k in range(BANDS)]
+        rings = [ring((x, 0.0, 0.0), (1.0, 0.0, 0.0), math.sqrt(radius**2 - x**2)) for x in heights]
+        yield Piece("hull", (*(point for places in rings for point in places), (radius, 0.0, 0.0)))
+        yield face(rings[0], (-1.0, 0.0, 0.0))
+
+
 def ball(axes: Sequence[float]) -> Shown:
     """An ellipsoid: all that it hides, and its equator."""
     a, b, c = axes
@@ -200,6 +211,7 @@ SOLIDS: dict[type[Shape], Callable[[Any, Value], Shown]] = {
     CylindricalShell: tube_solid,
     Sphere: sphere_solid,
     SphericalShell: sphere_solid,
+    Hemisphere: hemisphere_solid,
     Cone: cone_solid,
     Cuboid: cuboid_solid,
     Ellipsoid: ellipsoid_solid,

@@ -14,7 +14,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Friction, Touch, is_level
-from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, shape_of, touching_radius
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, SceneElements, Surroundings
 from rotsolve.language.keys import amount, key
@@ -136,10 +136,13 @@ class Rolls(Touch, frozen=True):
             message = f"`rolling_friction` of `{self.name}` is solved on one flat surface only"
             raise Unsolvable(message, span=self.rolls[1].span, help="leave it out")
         wheel, body = self.rolls[0], scene.bodies.get(self.rolls[0].owner)
-        is_round = body is None or "rim" in shape_of(body).points or rim_radius(body, wheel.point) is not None
+        is_round = body is None or "rim" in shape_of(body).points or touching_radius(body, wheel.point) is not None
         if not (scene.problem.space or is_round):
             message = f"`{wheel.owner}` is not round where it touches, and does not roll"
-            help = "give it a round shape, a `radius` or `radii`; what lies on a side or a corner has a `contact`"
+            help = (
+                "give it a round shape, a `radius` or `radii`, half a disc by its `r` and `phi`, half a ball as a `hemisphere`; "
+                "what lies on a side or a corner has a `contact`"
+            )
             raise Unsolvable(message, span=wheel.span, help=help)
         super().check(scene)
 

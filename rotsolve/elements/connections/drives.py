@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
 from itertools import pairwise
 
 from rotsolve.algebra.formula import Formula
@@ -135,7 +134,8 @@ TURNS = ("spin", "spin_rate")
 
 def no_slip(owner: str, pair: Pair, sense: int, label: str, instant: Moment) -> Rule:
     """The rims run equally fast as seen from what carries both: R₁ (ω₁ − Ω) = ± R₂ (ω₂ − Ω)."""
-    first, second = (balance([(one, 1), (two, -sense)]) for one, two in map(partial(pair.spins, instant), TURNS))
+    rims = (pair.spins(instant, rate, sense) for rate in TURNS)
+    first, second = (balance([(one, 1), (two, -sense)]) for one, two in rims)
     bodies = (*pair.names, pair.carrier) if pair.carrier else pair.names
     return Rule(owner, label, bodies, first, second)
 

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import FRICTION, LIES, NORMAL, TOUCHES, Force, Requirement, Rule, enough, square
+from rotsolve.core.facts import FRICTION, LIES, NORMAL, ROCKS, TOUCHES, Force, Requirement, Rule, enough, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import has_quantities
@@ -29,7 +29,7 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.shapes import rim_radius, rims, round_part, shape_of
+from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
@@ -108,7 +108,7 @@ class Touch(Connection, frozen=True):
         """What touches is a rim, a point that is named, or a body with corners: what is bent otherwise would rock."""
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         bent = body is not None and body.shape is not None and not body.shape.pointlike and not body.shape.outline()
-        if scene.problem.space or body is None or not bent or rim_radius(body, ref.point) is not None:
+        if scene.problem.space or body is None or not bent or touching_radius(body, ref.point) is not None:
             return
         if ref.point in (None, "center", "cm") and "rim" not in shape_of(body).points:
             message = f"on which side `{body.name}` touches `{self.pair()[1].owner}` nothing tells: it is neither round nor has corners"
@@ -256,7 +256,7 @@ class Touch(Connection, frozen=True):
         ref = self.pair()[0]
         if ref.owner != body.name:
             return False
-        return ref.point in (None, "bottom", "rim", "center", *rims(body)) or round_part(body, ref.point) is not None
+        return ref.point in (None, "bottom", "rim", "center", *rims(body)) or rolling_part(body, ref.point) is not None
 
     def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
         """A body that lies or rolls on a flat surface travels along it."""
@@ -324,10 +324,11 @@ class Touch(Connection, frozen=True):
         yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
         if not surface.curved:
             yield from self.lies_in_front(facing, instant)
+            yield from self.on_its_bow(facing, instant)
         if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
-            point = arm if rim_radius(body, ref.point) is None else instant.hub(ref)
+            point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
@@ -341,11 +342,22 @@ class Touch(Connection, frozen=True):
         """The body's centre of mass lies on the free side of a flat surface: (r_cm − r_touch) · n ≥ 0, else all that touches with an end or
         a corner would lie in it; nothing of what is sure, as of a wheel on its rim."""
         own, place = self.pair()[:2]
-        if instant.is_round(own.owner) or instant.body(own.owner).shape is None:
+        body = instant.body(own.owner)
+        if instant.is_round(own.owner) or body.shape is None or bow_of(body, own.point) is not None:
             return
         ahead = simplify((instant.point(PointRef(own.owner, "cm")) - contact_arm(own, facing, instant)).along(facing))
         if instant.configuration.signs.sign(ahead) not in (0, 1):
             yield Requirement(self.name, LIES, ahead, ZERO, "", f"{spoken(own.owner)} lies in {spoken(place.owner)}")
+
+    def on_its_bow(self, facing: Heading, instant: Moment) -> Iterator[Requirement]:
+        """What is round on one side only touches with that: the way down is within half its opening of the middle of its bow."""
+        ref = self.pair()[0]
+        bow = bow_of(instant.body(ref.owner), ref.point)
+        if bow is not None:
+            middle = instant.pointing(ref.owner, heading(simplify((bow.first + bow.last) / 2)))
+            ahead, least = middle.along(facing.turned(180)), heading(simplify((bow.last - bow.first) / 2)).cos()
+            otherwise = f"{spoken(ref.owner)} touches with an end of its round side"
+            yield Requirement(self.name, ROCKS, simplify(ahead), least, "", otherwise)
 
     def check_abreast(self, surface: Surface, instant: Moment) -> None:
         """All corners with which a body stands on a flat surface lie on it: a crate on a slope stands along that, not level."""
@@ -491,7 +503,7 @@ class Touch(Connection, frozen=True):
         along = unit(forward.turned(90 + 90 * sense))
         force = Force(self.name, FRICTION, name, size, along, arm, "friction", acts, works=False, internal=True)
         yield from self.both(force, instant, force.noun, reacts, name)
-        rolling = motion.turns and instant.is_round(name)
+        rolling = motion.turns and touching_radius(instant.body(self.lying()), self.pair()[0].point) is not None
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
@@ -539,7 +551,7 @@ def travel_words(forward: Heading, path: Heading | None, instant: Moment, name: 
 def contact_arm(ref: PointRef, facing: Heading, instant: Moment) -> Vector:
     """From the body's reference to where it touches: a wheel's rim towards the surface, a named point, or the body itself."""
     body = instant.body(ref.owner)
-    radius = rim_radius(body, ref.point)
+    radius = touching_radius(body, ref.point)
     if radius is not None:
         return instant.hub(ref) + vector(radius, facing.turned(180))
     if instant.motion(ref.owner).kind == "line" and not instant.motion(ref.owner).turns:

@@ -25,9 +25,10 @@ class Pair(Struct, frozen=True):
     carrier: str
     gap: Vector
 
-    def spins(self, instant: Moment, rate: str) -> tuple[Formula, Formula]:
-        """R ω of each rim as seen from the carrier, or R α."""
-        frame = getattr(instant.motion(self.carrier), rate) if self.carrier else ZERO
+    def spins(self, instant: Moment, rate: str, sense: int) -> tuple[Formula, Formula]:
+        """R ω of each rim as seen from the carrier, or R α; of equal rims that turn the same way it does not matter how that turns."""
+        alike = sense > 0 and is_zero(self.radii[0] - self.radii[1])
+        frame = getattr(instant.motion(self.carrier), rate) if self.carrier and not alike else ZERO
         first, second = (getattr(instant.motion(name), rate) for name in self.names)
         return self.radii[0] * (first - frame), self.radii[1] * (second - frame)
 

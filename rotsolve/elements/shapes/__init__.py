@@ -5,6 +5,7 @@ from __future__ import annotations
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
+from rotsolve.elements.shapes.half import Hemisphere, HemisphericalShell
 from rotsolve.elements.shapes.integrated import Graded as Graded
 from rotsolve.elements.shapes.integrated import Lamina, Revolution
 from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
@@ -14,6 +15,7 @@ from rotsolve.elements.shapes.thin import Particle as Particle
 from rotsolve.elements.shapes.thin import Rod as Rod
 from rotsolve.language.bodies import Body, Part, PointRef
 from rotsolve.language.shape import WHEEL as WHEEL
+from rotsolve.language.shape import Bow as Bow
 from rotsolve.language.shape import Place as Place
 from rotsolve.language.shape import Shape as Shape
 
@@ -32,6 +34,8 @@ SHAPES: list[type[Shape]] = [
     CylindricalShell,
     Sphere,
     SphericalShell,
+    Hemisphere,
+    HemisphericalShell,
     Cone,
     Cuboid,
     Ellipsoid,
@@ -77,6 +81,26 @@ def round_part(body: Body, point: str | None) -> Part | None:
     """The part of a body that a point names, where it has a rim of its own."""
     part = next((part for part in body.parts if part.body.name == point), None)
     return part if part is not None and rim_radius(part.body, None) is not None else None
+
+
+def bow_of(body: Body, point: str | None) -> Bow | None:
+    """The bow with which a body, or the part of it that a point names, rocks on what it lies on, in its own axes; None of a whole rim."""
+    part = rolling_part(body, point)
+    own = shape_of(body if part is None else part.body).bow() if part is not None or point is None else None
+    turn = ZERO if part is None or part.angle is None else part.angle
+    return None if own is None else Bow(own.radius, own.first + turn, own.last + turn)
+
+
+def rolling_part(body: Body, point: str | None) -> Part | None:
+    """The part of a body that a point names, where it has a rim or a bow of its own."""
+    part = next((part for part in body.parts if part.body.name == point), None)
+    return part if part is not None and touching_radius(part.body, None) is not None else None
+
+
+def touching_radius(body: Body, point: str | None) -> Formula | None:
+    """The radius with which a body touches a floor: that of a rim, or of a bow."""
+    bow = bow_of(body, point)
+    return rim_radius(body, point) if bow is None else bow.radius
 
 
 def rolling_shape(body: Body, point: str | None) -> Shape | None:

@@ -17,7 +17,7 @@ from rotsolve.core.symbols import is_coordinate
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.language.keys import key
-from rotsolve.language.shape import Place, Shape
+from rotsolve.language.shape import Bow, Place, Shape
 
 CARTESIAN, POLAR = ("x", "y"), ("r", "phi")
 UNSHAPED = Shape()
@@ -111,6 +111,15 @@ class Lamina(Integrated, frozen=True):
 
     def slicing(self) -> Slicing:
         return self.layers(ONE)
+
+    def bow(self) -> Bow | None:
+        """Where r ends, from one end of φ to the other; None of what is told by x and y, or where that limit varies."""
+        limits = {item.variable: item for item in self.region}
+        if limits.keys() != {coordinate(name) for name in POLAR}:
+            return None
+        out, round_ = (limits[coordinate(name)] for name in POLAR)
+        ends = (out.upper, round_.lower, round_.upper)
+        return None if any(is_coordinate(name) for end in ends for name in end.symbols()) else Bow(*ends)
 
     def layers(self, density: Formula) -> Slicing:
         """Strips or rings where the density is the same all along them, else elements dx dy or r dr dφ."""
@@ -272,6 +281,9 @@ class Graded(Integrated, frozen=True):
         cut = self.shape.layers(self.density)
         assert cut is not None
         return replace(cut, weight=self.density * cut.weight)
+
+    def bow(self) -> Bow | None:
+        return self.shape.bow()
 
     def begin(self) -> Spot:
         return self.shape.begin()

@@ -14,7 +14,7 @@ from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.language.keys import amount
-from rotsolve.language.shape import Place, Shape, extent
+from rotsolve.language.shape import Bow, Place, Shape, extent
 
 
 class Particle(Shape, frozen=True):
@@ -129,6 +129,10 @@ class Arc(Shape, frozen=True):
 
     def measure(self) -> Formula:
         return (self.radius or ZERO) * (self.opening or ZERO)
+
+    def bow(self) -> Bow:
+        half = (self.opening or ZERO) / 2
+        return Bow(self.radius or ZERO, -half, half)
 
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         radius, half = self.radius or ZERO, (self.opening or ZERO) / 2

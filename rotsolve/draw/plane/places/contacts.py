@@ -15,6 +15,7 @@ from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.bodies import PointRef, Surface
 
 FAINT = 0.1  # of a wish beside others
+ASIDE = 0.15  # of the opening of a round side, by which its middle is drawn beside where it touches
 AHEAD, BELOW = (
     2.0,
     1.3,
@@ -39,6 +40,7 @@ def lay_flat(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     ref, under = item.pair()[:2]
     out, wheel = normal(surface, stage.model), rolling_rim(item, stage)
     down, spot = wheel if wheel is not None else (0.0, stage.model.tied(ref))
+    set_on_its_bow(item, out, stage)
     low = stage.place_of(ref.owner, spot)
     if wheel is None and rests(item, stage.model):
         down, low = stage.bodies[ref.owner].reach((-out[0], -out[1])), stage.origin(ref.owner)
@@ -48,6 +50,14 @@ def lay_flat(item: Touch, surface: Surface, stage: PlaneStage) -> None:
         stage.layout.equal(part_along(gap, turned(out)), 0.0, FAINT)
         return
     stage.layout.equal(part_along(low, out).plus(level_of(surface, stage), -1.0), down)
+
+
+def set_on_its_bow(item: Touch, out: Point, stage: PlaneStage) -> None:
+    """What is round on one side only, and of which nothing tells how it stands, is turned so that it lies on that, a little aside."""
+    body, rocks = stage.bodies[item.lying()], stage.model.rocking(item.lying(), item)
+    down = math.atan2(-out[1], -out[0])
+    if rocks is not None and rocks.spare(down - body.turn) < 0.0:
+        body.turn = down - (rocks.first + rocks.last) / 2 - ASIDE * (rocks.last - rocks.first)
 
 
 def level_of(surface: Surface, stage: PlaneStage) -> Affine:
@@ -70,6 +80,9 @@ def rolling_rim(item: Touch, stage: PlaneStage) -> tuple[float, Point] | None:
     """The radius of what rolls, and its centre."""
     ref = item.pair()[0]
     body, radius = stage.model.body(ref.owner), stage.rim(ref)
+    rocks = stage.model.rocking(ref.owner, item)
+    if rocks is not None:
+        return rocks.radius, stage.model.spot(ref if ref.point else PointRef(ref.owner))
     if not (on_rim(body, ref.point) or (ref.point in ("bottom", "center") and radius is not None)):
         return None
     part = ref.point if part_of(body, ref.point) else None

@@ -17,6 +17,7 @@ from rotsolve.draw.paper.figure import Point, ray, shifted_by
 from rotsolve.draw.plane.places.kinds import row_for
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.shapes.flat import Cornered, Rectangle
+from rotsolve.elements.shapes.half import Hemisphere, HemisphericalShell
 from rotsolve.elements.shapes.integrated import Graded, Integrated, Lamina
 from rotsolve.elements.shapes.round import Annulus, CylindricalShell, Disc, Ring, Sphere, SphericalShell
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
@@ -26,7 +27,7 @@ from rotsolve.language.shape import Shape
 
 WALL = 0.88  # the inner edge of a thin ring beside its outer one
 AROUND = 72  # points of a circle that is taken as a polygon
-STEPS = 24  # of a curve
+STEPS = 48  # of a curve
 Value = Callable[[Formula], float]
 
 
@@ -100,6 +101,21 @@ def arc_outline(shape: Arc, value: Value) -> Shown:
     radius, half = (value(part) if part is not None else 1.0 for part in (shape.radius, shape.opening))
     half /= 2
     yield BodyOutline(tuple(ray(half * (2 * k / STEPS - 1), radius) for k in range(STEPS + 1)), slender=True)
+
+
+def hemisphere_outline(shape: Hemisphere, value: Value) -> Shown:
+    """Seen from the side: half a disc."""
+    if shape.radius is not None:
+        radius = value(shape.radius)
+        yield polygon([ray(math.pi * (k / AROUND - 0.5), radius) for k in range(AROUND + 1)])
+
+
+def bowl_outline(shape: HemisphericalShell, value: Value) -> Shown:
+    """Cut open: half a ring."""
+    if shape.radius is not None:
+        sides = [(1.0, range(AROUND + 1)), (WALL, range(AROUND, -1, -1))]
+        radius = value(shape.radius)
+        yield polygon([ray(math.pi * (k / AROUND - 0.5), share * radius) for share, steps in sides for k in steps])
 
 
 def disc_outline(shape: Disc | Sphere, value: Value) -> Shown:
@@ -186,6 +202,8 @@ OUTLINES: dict[type[Shape], Callable[[Any, Value], Shown]] = {
     Arc: arc_outline,
     Disc: disc_outline,
     Sphere: disc_outline,
+    Hemisphere: hemisphere_outline,
+    HemisphericalShell: bowl_outline,
     Ring: walls_outline,
     Annulus: walls_outline,
     SphericalShell: walls_outline,

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.confirm.bodies import frame
+from rotsolve.confirm.bodies import frame, rocker
 from rotsolve.draw.paper.figure import Point, quarter, ray, shifted_by
 from rotsolve.draw.paper.lettering import letter
 from rotsolve.draw.plane.places.bodies import Figured
@@ -20,6 +20,7 @@ from rotsolve.language.bodies import Body, Part, PointRef
 RADII = (35.0, 145.0, 80.0, 205.0, 325.0)  # directions in which radii are drawn, in degrees
 NARROW = 9.0  # points below which a radius has no room for its letter
 SPACE = 17.0
+OUT = 0.75  # of the opening of a round side, at which its radius is drawn
 
 
 def draw_lengths(stage: PlaneStage, sheet: ScenePaper) -> None:
@@ -40,14 +41,21 @@ def rims_of(body: Body, at: Point = (0.0, 0.0)) -> Iterator[tuple[Formula, Point
 
 
 def draw_radii(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
-    told_radii = dict.fromkeys(rims_of(body.body))
+    told_radii = {rim: bow_way(body.body, None, stage) for rim in rims_of(body.body)}
     for part in (*body.body.parts, *body.body.holes):
         spot, _ = frame(part, stage.value)
-        told_radii |= dict.fromkeys(rims_of(part.body, spot))
-    for number, (radius, spot) in enumerate(told_radii):
+        told_radii |= {rim: bow_way(body.body, part.body.name, stage) for rim in rims_of(part.body, spot)}
+    for number, ((radius, spot), own) in enumerate(told_radii.items()):
         words, size = told_words(stage, radius), stage.value(radius) * sheet.scale
         if words is not None and size > NARROW and body.seen:
-            sheet.radius(sheet.at(body.spot(spot)), size, math.radians(RADII[number % len(RADII)]), words)
+            way = math.radians(RADII[number % len(RADII)]) if own is None else body.turn + own
+            sheet.radius(sheet.at(body.spot(spot)), size, way, words)
+
+
+def bow_way(body: Body, part: str | None, stage: PlaneStage) -> float | None:
+    """The direction, in a body's own axes, in which the radius of what is round on one side only is drawn."""
+    rocks = rocker(body, part, stage.value)
+    return None if rocks is None else rocks.first + OUT * (rocks.last - rocks.first)
 
 
 def draw_sides(body: Figured, stage: PlaneStage, sheet: ScenePaper) -> None:
