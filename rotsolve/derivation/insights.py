@@ -25,7 +25,6 @@ from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -91,7 +90,7 @@ def by_friction_alone(
 def coefficient_needed(body: BodyFacts, force: Force, search: Search) -> Formula | None:
     """f/N of a contact of which the scene only says that it is rough enough, in givens; None where the pool does not tell N by itself."""
     touches = [one for one in search.scene.configuration.problem.connections if one.name == force.owner]
-    rough = [one for one in touches if isinstance(one, Touch) and one.grip().kind == "any"]
+    rough = any(one.holds_whatever_it_takes() for one in touches)
     normal = [
         one.size for one in body.forces if one.owner == force.owner and one.role.presses and one.part == force.part
     ]

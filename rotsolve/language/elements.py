@@ -257,6 +257,10 @@ class Connection(ActingElement, frozen=True):
                     f"`{self.word}` is solved for two bodies on one axle only", span=second.span, help=help
                 )
 
+    def holds_whatever_it_takes(self) -> bool:
+        """Whether it has friction to which nothing sets a limit."""
+        return False
+
     def among(self, moving: Container[str]) -> Connection:
         """The connection as it stands among all others, which let the bodies `moving` move where it touches them."""
         return self

@@ -89,7 +89,12 @@ surfaces: {ramp: {slope: theta, down: right}}
 connections: {grip: {rolls: [ball, ramp]}}
 find: {a: ball.acceleration}
 """
-    assert "without friction ball would keep its angular velocity: no other force has a torque on it" in said(text)
+    least = "a coefficient of static friction of at least 2 tan θ/7"
+    assert f"without friction ball would keep its angular velocity; not to slip it takes {least}" in said(text)
+    known = text.replace("rolls: [ball, ramp]", "contact: [ball, ramp], friction: 0.9").replace(
+        "theta: rad", "theta: 0.1 rad"
+    )
+    assert "without friction ball would keep its angular velocity: no other force has a torque on it" in said(known)
 
 
 def test_what_numbers_decide_alone_is_not_said() -> None:

@@ -20,7 +20,8 @@ GOLDEN = Path(__file__).resolve().parent / "lagrange"
 RAW = re.compile(r"[a-z_]\|[a-z_]|…")  # the key of a quantity of the laws, which no reader should see
 SAID = FAMILIES[LAGRANGE].words
 
-BLOWS = """pencil-rolls-over-its-edges disc-into-a-corner ball-strikes-a-double-pendulum balls-in-a-row double-pendulum-struck-below folding-door-at-a-stop
+BLOWS = """pencil-rolls-over-its-edges
+disc-into-a-corner ball-strikes-a-double-pendulum balls-in-a-row double-pendulum-struck-below folding-door-at-a-stop
 jointed-rods-caught-at-an-end puck-sticks-to-jointed-rods three-jointed-rods-struck two-balls-strike-a-rod-at-once door-at-its-stop
 rod-falls-on-an-edge rod-lands-on-two-pegs rod-falls-slanting-on-a-rough-floor hinged-rod-falls-on-a-rough-floor
 ball-with-backspin-bounces dumbbell-hits-a-wall super-ball-under-a-table hinged-plates-that-are-struck meteorite-that-stays-in-a-probe

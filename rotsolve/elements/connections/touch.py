@@ -78,6 +78,9 @@ class Touch(Connection, frozen=True):
         """Rough enough for whatever it takes, where nothing else is said."""
         return Friction("any")
 
+    def holds_whatever_it_takes(self) -> bool:
+        return self.grip().kind == "any"
+
     def lying(self) -> str:
         return self.pair()[0].owner
 
