@@ -120,6 +120,7 @@ SHARED_FRICTION = Role(
 BAND = Role("friction of a band", loses=True, rubs=True, hides="draws on it from where its ends run, which is not told")
 REACTION = Role("reaction", holds=True, unseen=True)
 AXLE = Role("axle", holds=True, axle=True, unseen=True)
+GUIDE = Role("guide")  # what a slot does to its pin, and the pin to the slot, across it
 GRIP = Role("grip", unseen=True)  # of a rope and the wheel over which it runs
 SPRING = Role("spring", stores=True, springs=True)
 TORSION = Role("torsion", stores=True)
@@ -206,6 +207,7 @@ class Rule(Struct, frozen=True):
     acceleration: tuple[Formula, Formula] | None
     linear: bool = True
     remark: Words = ()
+    bent: Words = ()  # what is said of the accelerations alone
 
 
 class Need(Struct, frozen=True):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, negate
 from rotsolve.core.derivation import Words
@@ -20,7 +22,8 @@ def rules_for_accelerations(at: AtMoment) -> Iterator[Equation]:
     """The rules for accelerations."""
     for rule in at.facts.rules:
         if rule.acceleration is not None:
-            yield rule_equation(rule, rule.acceleration, at.section)
+            remark = (*rule.remark, *rule.bent)
+            yield rule_equation(replace(rule, remark=remark) if rule.bent else rule, rule.acceleration, at.section)
 
 
 def rules_for_velocities(at: AtMoment) -> Iterator[Equation]:

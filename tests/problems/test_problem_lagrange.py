@@ -29,7 +29,7 @@ INERTIA_CHANGES = """ball-bounces-twice
 bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
 sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in
 satellite-with-a-reaction-wheel"""
-REACTIONS = """wheel-with-rolling-resistance bar-on-two-skew-rods disc-on-an-axle-that-sways coin-that-trembles gyrocompass-that-swings
+REACTIONS = """arm-rocked-by-a-crank scotch-yoke wheel-with-rolling-resistance bar-on-two-skew-rods disc-on-an-axle-that-sways coin-that-trembles gyrocompass-that-swings
 hookes-joint rod-on-two-cords
 ladder-inside plank-on-trestles plank-tips whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller
@@ -48,6 +48,7 @@ NUTATION = "sleeping-top-touched spherical-pendulum-nods top-that-trembles"  # s
 NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on-a-tilted-turntable"
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop"
+LINKAGES = "rod-on-two-collars"  # from state to state, with several coordinates that joints tie
 
 NOTHING, ALONE = "do not settle anything that is asked here", "alone can not tell"
 REASONS = {  # the problems, and what the message and its help say
@@ -62,6 +63,7 @@ REASONS = {  # the problems, and what the message and its help say
     NONHOLONOMIC: (NOTHING, "ties its rates, and not its coordinates"),
     TOLD_BY_POWER: (NOTHING, "does not tie places"),
     UNKNOWN_TRACK: (ALONE, "energy gives it"),
+    LINKAGES: (ALONE, "energy gives it"),
 }
 REFUSED = {name: reason for names, reason in REASONS.items() for name in names.split()}
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from rotsolve.confirm.forces import spring_way
 from rotsolve.confirm.pose import StringPart, turned
 from rotsolve.confirm.seating import joints_of
+from rotsolve.confirm.signs import pointing
 from rotsolve.draw.paper.figure import Point
 from rotsolve.draw.plane.places.contacts import lay, lay_later
 from rotsolve.draw.plane.places.equations import WISH, Place, gap_between_places, part_along, place_off, told_place
 from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.elements.connections.slots import Slot
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.language.bodies import PointRef
 
@@ -31,6 +33,8 @@ def arrange(stage: PlaneStage) -> None:
     for belt in stage.kinds.belts:
         for first, second in zip(belt.belt, belt.belt[1:], strict=False):
             wheels_beside(first, second, stage, gap=APART)
+    for slot in stage.kinds.slots:
+        lay_slot(slot, stage)
     for wheels in stage.wheels:
         wheels_beside(*wheels, stage)
     lay_later(stage)
@@ -74,6 +78,21 @@ def lay_spring(item: Spring, stage: PlaneStage) -> None:
     stage.layout.equal(part_along(gap, turned(way)))
     long = stage.longer.get(item.name, 0.0) + STRETCH * stage.sizes.block
     stage.layout.equal(part_along(gap, way), long, WISH)
+
+
+def lay_slot(item: Slot, stage: PlaneStage) -> None:
+    """A pin is in the slot of another body: at the place that is told there, else in line with the middle of that."""
+    if item.within.owner not in stage.bodies:
+        return
+    pin, within = stage.tied(item.pin), stage.tied(item.within)
+    if pin is None or within is None:
+        return
+    if item.along is None:
+        stage.layout.meet(pin, within)
+        return
+    way, gap = pointing(item.along, stage.model), gap_between_places(pin, within)
+    stage.layout.equal(part_along(gap, turned(way)))
+    stage.layout.equal(part_along(gap, way), 0.0, WISH)
 
 
 def wheels_beside(
