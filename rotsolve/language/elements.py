@@ -231,8 +231,9 @@ class Connection(ActingElement, frozen=True):
 
     `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
     nothing that is fixed, `lays_first` one that names first what it lays on something, `rimmed` one that runs on the rims of wheels,
-    `repeats` one that may name a body twice, `axial` an axis through the centre of what it holds, `circling` one that carries what it
-    holds steadily round. `kept` are its quantities that an event leaves as they were.
+    `repeats` one that may name a body twice, `guiding` one by which a body is where another one takes it, `axial` an axis through the
+    centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that an event leaves as
+    they were.
     """
 
     words: ClassVar[tuple[str, ...]] = ()
@@ -240,6 +241,7 @@ class Connection(ActingElement, frozen=True):
     bodily: ClassVar[bool] = False
     rimmed: ClassVar[bool] = False
     repeats: ClassVar[bool] = False
+    guiding: ClassVar[bool] = False
     axial: ClassVar[bool] = False
     lays_first: ClassVar[bool] = False
     circling: ClassVar[bool] = False

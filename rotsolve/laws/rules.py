@@ -46,6 +46,12 @@ def rules_for_displacements(over: OverPhase) -> Iterator[Equation]:
             yield rule_equation(rule, (left, right), over.section, RULE_OF_WAYS)
 
 
+def ways_by_links(over: OverPhase) -> Iterator[Equation]:
+    """The way of a body along its line by the angles of what joints and slots join it to."""
+    for name, way, gone in over.passage.linked:
+        yield RULE_OF_WAYS.equation(way, gone, over.section, (name,), words=f"how far {spoken(name)} is taken")
+
+
 def rules_to_the_end(over: OverPhase) -> Iterator[Equation]:
     """The rules for velocities of a phase at its end, where another phase with other rules begins: what friction has held is at rest."""
     later = {rule.velocity for rule in over.passage.end.rules}

@@ -220,6 +220,7 @@ LAWS = (
     Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
     Principle((COMMON_AXIS,), (PHASE,), "past_surfaces:about_points_of_surfaces"),
     Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
+    Principle((RULE_OF_WAYS,), (PHASE,), "rules:ways_by_links"),
     Principle((RULE,), (PHASE,), "rules:rules_to_the_end"),
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),
     Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:group_through_event"),

@@ -96,10 +96,21 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
 
 
 def linked(name: str, way: Heading, instant: Instant) -> bool:
-    """Whether joints tell where a body on a line is along that, by the angles of what they join it to: a slider on a rod that slides."""
+    """Whether joints or slots tell where a body on a line is along that, by the angles of what they join it to: a slider on a rod."""
     known = partial(place_of_point, way=way, instant=instant, ways=False, seen=(name,))
-    items = (item for item in instant.configuration.connections(instant.state) if item.joint())
+    items = (item for item in instant.configuration.connections(instant.state) if item.guiding)
     return any(item.place(name, way, instant, known) is not None for item in items)
+
+
+def way_by_links(name: str, interval: Interval, first: Instant, last: Instant) -> Ends | None:
+    """The way of a body along its line in a phase, and what that is by the angles of what joints and slots join it to."""
+    line = first.line(name)
+    if line is None or first.motion(name).kind != "line" or first.orbit(name) is not None:
+        return None
+    if first.configuration.laid(name) or not linked(name, line[0], first):
+        return None
+    ends = ends_of(name, line[0], interval, first, last)
+    return None if ends is None else (displacement(name, interval, first), simplify(ends[1] - ends[0]))
 
 
 def gone_along(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Formula | None:

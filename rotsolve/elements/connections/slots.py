@@ -23,6 +23,7 @@ class Slot(Connection, frozen=True):
     about = "a pin of one body slides without friction in a straight slot of the ground or of another body, which holds it on both sides"
     instead = "`collar: [[x, y, z], BODY.P], along: x` holds a point on a line"
     quantities = ("force",)
+    guiding = True
     slot: tuple[PointRef, ...] = key(
         "points",
         "the pin, or the pin and where it is in the body that has the slot, `arm.at(x)`",
@@ -104,11 +105,14 @@ class Slot(Connection, frozen=True):
         return "position"
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
-        """Across a slot of the ground, of the body with the pin."""
-        fixed = self.within.owner not in instant.configuration.bodies
-        if not fixed or instant.host(self.pin.owner) != name or (self.heading(instant) - way).cos() != ZERO:
+        """Across a slot that does not turn, of the body with the pin or with the slot: that of the other's point."""
+        if self.along is None or (self.heading(instant) - way).cos() != ZERO:
             return None
-        return -instant.point(self.pin).along(way)
+        for own, other in ((self.pin, self.within), (self.within, self.pin)):
+            if own.owner in instant.configuration.bodies and instant.host(own.owner) == name:
+                base = place_of(other) if other.owner in instant.configuration.bodies else ZERO
+                return None if base is None else base - instant.point(own).along(way)
+        return None
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """One force across the slot, on the pin and back on the body that has the slot; the pin does not leave it."""

@@ -49,6 +49,7 @@ class Driven(Connection, frozen=True):
     """Base of what turns a body by itself: a rate given as a value or a formula of `time`."""
 
     quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "angle", "angular_velocity", "angular_acceleration")
+    guiding: ClassVar[bool] = True
 
     friction_torque: Formula | None = amount(
         "friction torque, against the motion",
