@@ -300,6 +300,18 @@ class Inertia(Struct, frozen=True):
     remark: Words = ()
 
 
+class Slider(Struct, frozen=True):
+    """What slides freely along a body that turns: its mass, its speed outwards and its distance from the axis, the way out, the push on it
+    across that, counterclockwise positive."""
+
+    name: str
+    mass: Formula
+    speed: Formula
+    place: Formula
+    outward: Heading
+    push: Formula | None  # nothing of several, whose pushes together turn nothing
+
+
 class BodyFacts(Struct, frozen=True):
     """One body at one instant: inertia, motion and all that acts on it."""
 
@@ -320,7 +332,8 @@ class BodyFacts(Struct, frozen=True):
     lays: bool = False  # it lays itself out, layer by layer
     changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
     slanted: bool = False  # it travels along a slope
-    sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
+    sliding: tuple[Slider, ...] = ()  # all that slides freely along it
+    drawn: bool = False  # whether its own data change otherwise than by what slides freely
     footings: tuple[
         tuple[str, ...], ...
     ] = ()  # of joined bodies on a line: those that are carried apart from each other

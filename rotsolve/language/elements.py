@@ -427,8 +427,8 @@ class Connection(ActingElement, frozen=True):
         """The coefficient by which a push limits the friction that holds; None where the push has no part in it."""
         return None
 
-    def rubbing_force(self, instant: Moment) -> Formula | None:
-        """The letter of a friction within one body, which no free-body diagram has."""
+    def force_within(self, quantity: str, instant: Moment) -> Formula | None:
+        """The letter of a push or a friction within one body, which no free-body diagram has."""
         return None
 
     def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:

@@ -136,7 +136,7 @@ class OfElements(AtInstant, frozen=True):
         """The push of a surface or its friction, on the body that a contact names first."""
         rubs = path.quantity == "friction_force"
         item = self._connection(path.owner)
-        within = item.rubbing_force(self.instant) if item is not None and rubs else None
+        within = item.force_within(path.quantity, self.instant) if item is not None else None
         if within is not None:
             return within
         first = self.instant.host(item.touches()[0].owner) if item is not None and item.touches() else ""
