@@ -22,7 +22,7 @@ from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
 from rotsolve.elements.connections.flat import Laid
 from rotsolve.elements.connections.rubbing import Clutch, Rims
-from rotsolve.elements.connections.slots import Slot
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides, Shaft
 from rotsolve.language.bodies import PointRef
@@ -124,7 +124,7 @@ def rims(item: Rims, pose: Pose, model: Known) -> Held:
         yield Grip(item.name, row, static, kinetic)
 
 
-def slotted(item: Slot, pose: Pose, model: Known) -> Held:
+def slotted(item: PinSlot, pose: Pose, model: Known) -> Held:
     """A pin stays on the line of its slot, which goes with the body that has it; in a slot that turns it is where that says at first."""
     x, y = place_of(item.pin, pose, model)
     name = item.within.owner
@@ -142,7 +142,7 @@ def slotted(item: Slot, pose: Pose, model: Known) -> Held:
     yield replace(held(item.name, "along", x * c + y * s, pose, hard=True), loose=True)
 
 
-def slot_way(item: Slot, model: Known) -> Way:
+def slot_way(item: PinSlot, model: Known) -> Way:
     """The direction of a slot that does not turn."""
     if item.along is None:
         raise NotConfirmed(f"nothing tells how the slot of `{item.name}` runs")
@@ -162,5 +162,5 @@ COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Rides: riding,
     Drapes: draping,
     Shaft: whirling,
-    Slot: slotted,
+    PinSlot: slotted,
 }

@@ -40,12 +40,12 @@ def across_what_turns(at: AtMoment) -> Iterator[Equation]:
             left, right = law([push for push in pushes if push != ZERO], multiply(item.mass, turning))
             rider, carrier = spoken(item.name), spoken(body.name)
             yield ACROSS.equation(left, right, at.section, (body.name,), CORIOLIS, rider=rider, carrier=carrier)
-        grown = [signed(growing(item, body), body.motion.sense) for item in body.sliding]
+        grown = [signed(momentum_gained(item, body), body.motion.sense) for item in body.sliding]
         left, right = law(torques(body), sum(grown, start=response(body)))
         yield ROTATION.equation(left, right, at.section, (body.name,), GROWS, about=about(body))
 
 
-def growing(item: Slider, body: BodyFacts) -> Formula:
+def momentum_gained(item: Slider, body: BodyFacts) -> Formula:
     """2 m r v ω, by which angular momentum grows since I does."""
     return 2 * item.mass * item.place * item.speed * body.motion.spin
 
@@ -60,14 +60,14 @@ def along_what_is_driven(over: OverPhase) -> Iterator[Equation]:
             continue
         riders = zip(*(end.sliding for end in ends if end is not None), strict=True)
         for first, last in riders:
-            for left, right, said in slid_to(first, last, body.motion.spin, passage.duration):
+            for left, right, said in slid_in_time(first, last, body.motion.spin, passage.duration):
                 rider, carrier = spoken(first.name), spoken(body.name)
                 yield ALONG_TURNING.equation(
                     left, right, over.section, (body.name,), said, rider=rider, carrier=carrier
                 )
 
 
-def slid_to(first: Slider, last: Slider, rate: Formula, time: Formula) -> Iterator[tuple[Formula, Formula, Words]]:
+def slid_in_time(first: Slider, last: Slider, rate: Formula, time: Formula) -> Iterator[tuple[Formula, Formula, Words]]:
     """Place and speed after a time; and the time by both, (1/ω) ln((ω r₂ + v₂)/(ω r₁ + v₁))."""
     passed = multiply(rate, time)
     wide, high = cosh(passed), sinh(passed)

@@ -141,7 +141,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         changing=instant.configuration.changing(body.name, instant.state),
         slanted=slanted(body.name, instant),
         sliding=(slides := sliding(body.name, instant)),
-        drawn=bool(slides) and drawn(body.name, instant),
+        drawn=bool(slides) and data_drawn(body.name, instant),
         sweep=sweep(body, own.pieces, own.reference, motion.orientation, motion.whirl, instant.configuration.order),
         footings=footings(body.name, motion, forces, instant) if len(carried) > 1 else (),
     )
@@ -168,7 +168,7 @@ def slider(item: Ride, instant: Instant) -> Slider:
     return Slider(rider, mass, instant.outward(rider), place, out, push)
 
 
-def drawn(name: str, instant: Instant) -> bool:
+def data_drawn(name: str, instant: Instant) -> bool:
     """Whether data of a body, or of what it carries, change in a phase otherwise than by what slides freely."""
     configuration, phase = instant.configuration, instant.configuration.timeline.phase_of(instant.state)
     free = {item.rider.owner for item in configuration.rides(instant.state) if item.free}

@@ -85,7 +85,7 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
     """Places of a body's reference at both ends of a phase, along a direction; None where geometry does not tell."""
     line = first.line(name)
     straight = first.motion(name).kind == "line" and first.orbit(name) is None and not first.configuration.laid(name)
-    link = straight and linked(name, way, first)
+    link = straight and led_by_links(name, way, first)
     if straight and line is not None and not link:
         along = (line[0] - way).cos()
         return (ZERO, displacement(name, interval, first) * along if along != ZERO else ZERO)
@@ -95,7 +95,7 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
     return (simplify(before), simplify(after)) if link else (before, after)
 
 
-def linked(name: str, way: Heading, instant: Instant) -> bool:
+def led_by_links(name: str, way: Heading, instant: Instant) -> bool:
     """Whether joints or slots tell where a body on a line is along that, by the angles of what they join it to: a slider on a rod."""
     known = partial(place_of_point, way=way, instant=instant, ways=False, seen=(name,))
     items = (item for item in instant.configuration.connections(instant.state) if item.guiding)
@@ -107,7 +107,7 @@ def way_by_links(name: str, interval: Interval, first: Instant, last: Instant) -
     line = first.line(name)
     if line is None or first.motion(name).kind != "line" or first.orbit(name) is not None:
         return None
-    if first.configuration.laid(name) or not linked(name, line[0], first):
+    if first.configuration.laid(name) or not led_by_links(name, line[0], first):
         return None
     ends = ends_of(name, line[0], interval, first, last)
     return None if ends is None else (displacement(name, interval, first), simplify(ends[1] - ends[0]))

@@ -81,6 +81,11 @@ SPUN = (
     "bodies: {wheel: {shape: disc, mass: m, radius: R}}\nconnections: {mount: {axle: wheel, friction_torque: tau}}\n"
     "states: {start: {wheel.angular_velocity: w}, end: {time: 20 s}}\nfind: {x: wheel.angular_velocity at end}\n"
 )
+ROCKED = (
+    LINKS
+    + "connections: {nail: {hinge: a.start, angular_velocity: w}, foot: {hinge: b.start}, pin: {slot: [a.end, b.at(L/2)]}}\n"
+    "states: {now: {a.angle: 80 deg, b.angle: 20 deg}%s}\n"
+)
 NO_ANSWER = re.compile("(?:there is no answer|no answer is found): ")
 
 TWO_ANGLES = """given: {L: 1 m, b: 0.7 m, w: 2 rad/s, p: unknown, q: ANGLE}
@@ -379,6 +384,10 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
     ),
     "blow off a dome": (DROPPED.replace("rod.end, floor", "rod.end, hill"), DROPPED),
     "rough blow of two bodies": (MET.replace("restitution: 0.5", "restitution: 0.5, friction: 0.2"), MET),
+    "pin along an arm": (
+        ROCKED % ", later: {a.angle: 1 rad}" + "find: {x: b.angular_velocity at later}\n",
+        ROCKED % "" + "find: {x: b.angular_velocity at now}\n",
+    ),
     "way of what is caught": (
         CAUGHT + "find: {x: ball.cm.displacement.x from before to end}\n",
         CAUGHT + "find: {x: rod.end.displacement.x from after to end}\n",

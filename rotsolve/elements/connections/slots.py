@@ -18,7 +18,7 @@ FIXED = PointRef("ground")
 STRAIGHT = ("right", "left", "up", "down")
 
 
-class Slot(Connection, frozen=True):
+class PinSlot(Connection, frozen=True):
     word = "slot"
     about = "a pin of one body slides without friction in a straight slot of the ground or of another body, which holds it on both sides"
     instead = "`collar: [[x, y, z], BODY.P], along: x` holds a point on a line"
@@ -162,7 +162,7 @@ class Slot(Connection, frozen=True):
         bodies = tuple(ref.owner for ref in (pin, within) if ref.owner in instant.configuration.bodies)
         rates = (velocity.along(across), base.along(across))
         bends = (instant.acceleration(pin).along(across), acceleration)
-        several = sum(isinstance(item, Slot) for item in instant.configuration.problem.connections) > 1
+        several = sum(isinstance(item, PinSlot) for item in instant.configuration.problem.connections) > 1
         label = f"the pin stays in its slot{f', {spoken(self.name)}' if several else ''}"
         coriolis = ("with 2 ω v across the slot, v along it",) if ZERO not in (turning, sliding) else ()
         return Rule(self.name, label, bodies, rates, bends, linear=False, bent=coriolis)

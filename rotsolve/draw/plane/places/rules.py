@@ -10,7 +10,7 @@ from rotsolve.draw.paper.figure import Point
 from rotsolve.draw.plane.places.contacts import lay, lay_later
 from rotsolve.draw.plane.places.equations import WISH, Place, gap_between_places, part_along, place_off, told_place
 from rotsolve.draw.plane.places.stage import PlaneStage
-from rotsolve.elements.connections.slots import Slot
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.language.bodies import PointRef
 
@@ -80,7 +80,7 @@ def lay_spring(item: Spring, stage: PlaneStage) -> None:
     stage.layout.equal(part_along(gap, way), long, WISH)
 
 
-def lay_slot(item: Slot, stage: PlaneStage) -> None:
+def lay_slot(item: PinSlot, stage: PlaneStage) -> None:
     """A pin is in the slot of another body: at the place that is told there, else in line with the middle of that."""
     if item.within.owner not in stage.bodies:
         return

@@ -17,7 +17,7 @@ from rotsolve.draw.plane.signs.strings import draw_belt, draw_rope, draw_spring,
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, MutualDrive
 from rotsolve.elements.connections.rubbing import Rubbing
-from rotsolve.elements.connections.slots import Slot
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Rides, Shaft, Weld
@@ -88,7 +88,7 @@ def draw_ride(item: Rides, stage: PlaneStage, sheet: ScenePaper) -> None:
     sheet.figure.line(box, SUPPORT, closed=True)
 
 
-def draw_slot(item: Slot, stage: PlaneStage, sheet: ScenePaper) -> None:
+def draw_slot(item: PinSlot, stage: PlaneStage, sheet: ScenePaper) -> None:
     """A pin between the two sides of its slot."""
     place, carrier = stage.point(item.pin), stage.bodies.get(item.within.owner)
     if place is None:
@@ -190,7 +190,7 @@ CONNECTIONS: dict[type[Connection], Callable[[Any, PlaneStage, ScenePaper], None
     Axle: draw_axle,
     Weld: draw_weld,
     Rides: draw_ride,
-    Slot: draw_slot,
+    PinSlot: draw_slot,
     Gear: draw_gear,
     Torsion: draw_torsion,
     Shaft: draw_shaft,
