@@ -144,7 +144,9 @@ class OfElements(AtInstant, frozen=True):
         force = next((force for _, force in forces if (force.role.rubs if rubs else force.role.presses)), None)
         if force is None:
             return ZERO
-        return Meaning(force.size, QUANTITIES[path.quantity].dimension, words=(force.way if rubs else "", ""))
+        surface = item.surface(self.instant.configuration, self.instant.state) if item is not None else None
+        both = (surface.away, surface.into) if surface is not None and surface.two_sided else ("", "")
+        return Meaning(force.size, QUANTITIES[path.quantity].dimension, words=(force.way, "") if rubs else both)
 
     def _stored(self, owner: str) -> Potential | None:
         """The energy that a spring or wire stores."""

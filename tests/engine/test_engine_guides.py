@@ -209,3 +209,37 @@ find: {v: yoke.velocity}
 """
     with pytest.raises(Unsolvable, match="direction in space"):
         rotsolve.solve(scene)
+
+
+WIRE = """title: x
+given: {m: 50 g, R: 20 cm, u: 0.5 m/s}
+surfaces: {ring: {wire: R}}
+bodies: {bead: {mass: m, moves: right BODY}}
+connections: {touch: {contact: [bead, ring]}}
+states: {top: {touch.angle: 90 deg, bead.velocity: SIGN u}, then: {touch.angle: LAST}}
+find: {v: bead.velocity at then, N: touch.normal_force at then, N0: touch.normal_force at top}
+"""
+
+
+@pytest.mark.parametrize(("sign", "angle"), [("", 130), ("", 270), ("-", 40), ("-", -90)])
+def test_a_bead_on_a_ring_is_held_on_both_sides(sign: str, angle: int) -> None:
+    """½ v² = ½ u² + g R (1 − sin φ), and N = m v²/R − m g sin φ towards the centre, whichever its sign."""
+    solution = rotsolve.solve(WIRE.replace(" BODY", "").replace("SIGN ", sign).replace("LAST", f"{angle} deg"))
+    square = 0.25 + 2 * 9.8 * 0.2 * (1 - sin(radians(angle)))
+    v, push = sqrt(square) * (-1 if sign else 1), 0.05 * (square / 0.2 - 9.8 * sin(radians(angle)))
+    found = [solution.answers[name].float for name in ("v", "N", "N0")]
+    assert found == pytest.approx([v, push, 0.05 * (1.25 - 9.8)])
+    assert solution.answers["N0"].direction == "away from the centre"
+    assert confirmed(solution)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("touch.angle: LAST", "touch: leaves", "does not leave it"),
+        (" BODY", ", shape: sphere, radius: 1 cm", "is no particle"),
+    ],
+)
+def test_what_is_not_threaded(old: str, new: str, words: str) -> None:
+    with pytest.raises(Unsolvable, match=words):
+        rotsolve.solve(WIRE.replace(old, new).replace(" BODY", "").replace("SIGN ", "").replace("LAST", "1 rad"))

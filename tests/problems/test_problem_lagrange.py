@@ -49,7 +49,6 @@ NUTATION = "sleeping-top-touched spherical-pendulum-nods top-that-trembles"  # s
 NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on-a-tilted-turntable"
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop"
-LINKAGES = "rod-on-two-collars"  # from state to state, with several coordinates that joints tie
 
 NOTHING, ALONE = "do not settle anything that is asked here", "alone can not tell"
 REASONS = {  # the problems, and what the message and its help say
@@ -64,7 +63,6 @@ REASONS = {  # the problems, and what the message and its help say
     NONHOLONOMIC: (NOTHING, "ties its rates, and not its coordinates"),
     TOLD_BY_POWER: (NOTHING, "does not tie places"),
     UNKNOWN_TRACK: (ALONE, "energy gives it"),
-    LINKAGES: (ALONE, "energy gives it"),
 }
 REFUSED = {name: reason for names, reason in REASONS.items() for name in names.split()}
 
