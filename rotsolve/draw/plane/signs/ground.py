@@ -9,7 +9,7 @@ from typing import Any
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.signs import normal, surface_of, uphill
-from rotsolve.draw.paper.figure import GROUND, SUPPORT, SURFACE, Point, arc_points, shifted_by
+from rotsolve.draw.paper.figure import GROUND, STRING, SURFACE, Point, arc_points, shifted_by
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.places.kinds import by_kind, edge_height, row_for
 from rotsolve.draw.plane.places.stage import PlaneStage
@@ -217,7 +217,7 @@ def bowl(surface: Hollow, where: Point, stage: PlaneStage, sheet: ScenePaper) ->
 def draw_wire(surface: Wire, where: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
     """A ring of wire, without ground behind it."""
     centre, radius = sheet.at(where), stage.value(surface.radius() or ZERO) * sheet.scale
-    sheet.figure.line(arc_points(centre, radius, -math.pi / 2, 1.5 * math.pi), SUPPORT)
+    sheet.figure.line(arc_points(centre, radius, -math.pi / 2, 1.5 * math.pi), STRING)
     words = told_words(stage, surface.radius())
     if words is not None:
         sheet.radius(centre, radius, clear_way(surface, centre, stage, sheet), words)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from rotsolve.algebra.formula import Negative, negate
+from rotsolve.confirm.signs import round_way
 from rotsolve.draw.paper.figure import SENSE, SPIN, Point, quarter, shifted_by, unit_of
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.places.bodies import Figured
@@ -14,6 +15,7 @@ from rotsolve.draw.plane.signs.ground import told_words
 from rotsolve.draw.plane.signs.sheet import ARROW, ScenePaper
 from rotsolve.draw.plane.signs.sides import body_middle, outer_side, runs_back, told_of
 from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.surfaces import Curved
 from rotsolve.language.problem import Condition
 
 SENSE_ARC = 0.85  # radians of a round arrow
@@ -70,12 +72,11 @@ def curve_way(body: Figured, stage: PlaneStage) -> Point | None:
             if curve_radius(lying_on) is None:
                 return (-1.0, 0.0) if body.body.moves == "left" else (1.0, 0.0)
             for surface, where in stage.surfaces.values():
-                if curve_radius(surface) is not None:
+                if isinstance(surface, Curved) and surface.radius() is not None:
                     x, y = (part.at(stage.found) for part in where)
                     out = unit_of((body.place[0] - x, body.place[1] - y))
-                    tangent = quarter(out)
-                    right = 1.0 if body.body.moves != "left" else -1.0
-                    return tangent if tangent[0] * right > 0 else (-tangent[0], -tangent[1])
+                    (u, w), sense = quarter(out), round_way(surface, body.body.moves)
+                    return u * sense, w * sense
     return None
 
 
