@@ -243,3 +243,32 @@ def test_a_bead_on_a_ring_is_held_on_both_sides(sign: str, angle: int) -> None:
 def test_what_is_not_threaded(old: str, new: str, words: str) -> None:
     with pytest.raises(Unsolvable, match=words):
         rotsolve.solve(WIRE.replace(old, new).replace(" BODY", "").replace("SIGN ", "").replace("LAST", "1 rad"))
+
+
+COLLAR = """title: x
+given: {m: 2 kg, k: 300 N/m, d: 30 cm, l: 20 cm, u: 3 m/s, h: 20 cm}
+bodies: {collar: {mass: m, moves: up}}
+connections:
+  c1: {spring: [[d, 0], collar], stiffness: k, rest_length: l}
+  c2: {spring: [collar, [-d, h]], stiffness: 2*k, rest_length: l}
+states: {start: {collar.velocity: u}, end: {collar.displacement: h}}
+find: {v: collar.velocity at end, a: collar.acceleration at end}
+"""
+
+
+def test_a_collar_between_springs_from_places() -> None:
+    """½ m v² + U(y) stays the same, and m a = −dU/dy; the places count from where the collar starts."""
+
+    def stored(y: float) -> float:
+        return 150 * (hypot(0.3, y) - 0.2) ** 2 + 300 * (hypot(0.3, 0.2 - y) - 0.2) ** 2 + 2 * 9.8 * y
+
+    solution = rotsolve.solve(COLLAR)
+    slope = (stored(0.2 + STEP) - stored(0.2 - STEP)) / (2 * STEP)
+    assert solution.answers["v"].float == pytest.approx(sqrt(9 + stored(0) - stored(0.2)))
+    assert solution.answers["a"].float == pytest.approx(-slope / 2)
+    assert confirmed(solution)
+
+
+def test_where_a_free_particle_is_nothing_tells() -> None:
+    with pytest.raises(Unsolvable, match="where `collar` is in the scene is not told"):
+        rotsolve.solve(COLLAR.replace(", moves: up", ""))

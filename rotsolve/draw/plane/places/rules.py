@@ -133,9 +133,18 @@ def join(stage: PlaneStage) -> None:
         else:
             stage.layout.meet(first, second)
     share_axles(stage)
+    place_collars(stage)
     told = any(ref.place is not None for item in stage.model.acting.connections for ref in item.touches())
     for name, (_, ref) in stage.model.held.items() if told else ():
         stage.layout.meet(stage.place_of(name, stage.model.drawn(ref)), told_place(0.0, 0.0))
+
+
+def place_collars(stage: PlaneStage) -> None:
+    """What a spring from a place holds on its line: at the origin."""
+    for spring in stage.kinds.springs:
+        ends = [ref for ref in spring.spring if ref.owner in stage.bodies and ref.owner not in stage.model.held]
+        if len(ends) == 1 and len([ref for ref in spring.spring if ref.place is not None]) == 1:
+            stage.layout.meet(stage.place_of(ends[0].owner, stage.model.tied(ends[0])), told_place(0.0, 0.0))
 
 
 def share_axles(stage: PlaneStage) -> None:
