@@ -68,8 +68,8 @@ def joint_of(first: str, second: str, instant: Moment) -> tuple[PointRef, ...]:
 
 
 def where(ref: PointRef, instant: Moment) -> Vector | None:
-    """A point in the scene's coordinates: a fixed place, a point of a body whose fixed pivot is the origin, or what travels on a line, which is
-    at the origin at the first state."""
+    """A point in the scene's coordinates: a fixed place, a point of a body whose fixed pivot is the origin, or what travels on a line,
+    which is at the origin at the first state."""
     if ref.place is not None:
         return vector(ref.place[0], RIGHT) + vector(ref.place[1], UP)
     if ref.owner in instant.configuration.bodies and instant.motion(ref.owner).kind == "axis":

@@ -46,7 +46,7 @@ class Spring(Connection, frozen=True):
         for ref in self.spring if self.placed else ():
             led = ref.owner in scene.bodies and self.led(scene.bodies[ref.owner])
             if ref.place is None and ref.owner not in scene.held and ride is None and not led:
-                help = "solved are springs from a place to a hinged body, whose hinge is at [0, 0], and to a particle that `moves` along a line"
+                help = "solved are springs from a place to a hinged body, its hinge at [0, 0], or to a particle that `moves`"
                 raise Unsolvable(f"where `{ref.owner}` is in the scene is not told", span=ref.span, help=help)
         if self.placed and self.rest_length is None:
             help = "a given that is `unknown` where a state tells how far it is stretched"
