@@ -5,17 +5,16 @@ from __future__ import annotations
 import math
 
 from rotsolve.algebra.formula import Negative, negate
-from rotsolve.confirm.signs import round_way
 from rotsolve.draw.paper.figure import SENSE, SPIN, Point, quarter, shifted_by, unit_of
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.places.bodies import Figured
+from rotsolve.draw.plane.places.contacts import normal_sign
 from rotsolve.draw.plane.places.kinds import curve_radius
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
 from rotsolve.draw.plane.signs.sheet import ARROW, ScenePaper
 from rotsolve.draw.plane.signs.sides import body_middle, outer_side, runs_back, told_of
 from rotsolve.elements.shapes import shape_of
-from rotsolve.elements.surfaces import Curved
 from rotsolve.language.problem import Condition
 
 SENSE_ARC = 0.85  # radians of a round arrow
@@ -72,10 +71,10 @@ def curve_way(body: Figured, stage: PlaneStage) -> Point | None:
             if curve_radius(lying_on) is None:
                 return (-1.0, 0.0) if body.body.moves == "left" else (1.0, 0.0)
             for surface, where in stage.surfaces.values():
-                if isinstance(surface, Curved) and surface.radius() is not None:
+                if curve_radius(surface) is not None:
                     x, y = (part.at(stage.found) for part in where)
                     out = unit_of((body.place[0] - x, body.place[1] - y))
-                    (u, w), sense = quarter(out), round_way(surface, body.body.moves)
+                    (u, w), sense = quarter(out), normal_sign(surface) * (1.0 if body.body.moves == "left" else -1.0)
                     return u * sense, w * sense
     return None
 
