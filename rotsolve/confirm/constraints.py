@@ -260,7 +260,7 @@ def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
     circle = model.value(size) + (rim if outside else -rim)
     x, y = pose.place(ref.owner, (0.0, 0.0))
     away = distance(x, y) - circle
-    yield held(item.name, "normal", away if outside else -away, pose, hard=True, push=True)
+    yield held(item.name, "normal", away if outside else -away, pose, hard=True, push=not surface.two_sided)
     slip = pose.turn(ref.owner) * rim + arctangent(y, x) * (-circle if outside else circle)
     yield from friction(item, slip, pose, model)
 

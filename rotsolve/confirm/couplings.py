@@ -14,17 +14,18 @@ from rotsolve.algebra.formula import Formula, Number
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.carried import draping, riding, whirling
-from rotsolve.confirm.constraints import Held, prescribed
+from rotsolve.confirm.constraints import Held, place_of, prescribed
 from rotsolve.confirm.faces import laid, plates
-from rotsolve.confirm.jet import Jet, arctangent, distance
-from rotsolve.confirm.pose import Pose, load
+from rotsolve.confirm.jet import Jet, arctangent, cosine, distance, sine
+from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, Row, held, unknown
-from rotsolve.confirm.signs import RIGHT, UP
+from rotsolve.confirm.signs import RIGHT, UP, pointing
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
 from rotsolve.elements.connections.flat import Laid
 from rotsolve.elements.connections.rubbing import Clutch, Rims
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides, Shaft
 from rotsolve.language.bodies import PointRef
@@ -157,6 +158,31 @@ def rims(item: Rims, pose: Pose, model: Known) -> Held:
         yield Grip(item.name, row, static, kinetic)
 
 
+def slotted(item: PinSlot, pose: Pose, model: Known) -> Held:
+    """A pin stays on the line of its slot, which goes with the body that has it; in a slot that turns it is where that says at first."""
+    x, y = place_of(item.pin, pose, model)
+    name = item.within.owner
+    if name not in model.seats:
+        yield held(item.name, "across", along((x, y), turned(slot_way(item, model))), pose)
+        return
+    u, w = place_of(item.within, pose, model)
+    x, y = x - u, y - w
+    if item.along is not None:
+        yield held(item.name, "across", along((x, y), turned(slot_way(item, model))), pose)
+        return
+    turn = pose.turn(name) + model.lean(name)
+    c, s = cosine(turn), sine(turn)
+    yield held(item.name, "across", y * c - x * s, pose, hard=True)
+    yield replace(held(item.name, "along", x * c + y * s, pose, hard=True), loose=True)
+
+
+def slot_way(item: PinSlot, model: Known) -> Way:
+    """The direction of a slot that does not turn."""
+    if item.along is None:
+        raise NotConfirmed(f"nothing tells how the slot of `{item.name}` runs")
+    return pointing(item.along, model)
+
+
 COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Guide: guide,
     Spring: nothing,
@@ -170,4 +196,5 @@ COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Rides: riding,
     Drapes: draping,
     Shaft: whirling,
+    PinSlot: slotted,
 }

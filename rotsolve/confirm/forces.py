@@ -11,7 +11,7 @@ from rotsolve.confirm.bodies import Spot, on_rim, radius_of, side_of
 from rotsolve.confirm.constraints import tied_at
 from rotsolve.confirm.jet import Jet, Slope, distance
 from rotsolve.confirm.lines import twist, wound_by
-from rotsolve.confirm.pose import Pose, Way, along, load, turned
+from rotsolve.confirm.pose import Pair, Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, WORDS, mover, pointing
 from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Band, Press
@@ -56,11 +56,18 @@ def spring(item: Spring, pose: Pose, model: Known) -> Pushes:
 
 def spring_length(item: Spring, pose: Pose, model: Known) -> Jet:
     """Its length, but for a constant where places are not told: the distance of its ends, or what they are apart along its direction."""
-    first, second = item.spring
-    (x, y), (u, w) = tied_at(first, pose, model), tied_at(second, pose, model)
+    placed = any(ref.place is not None for ref in item.spring)
+    (x, y), (u, w) = (from_first(ref, pose, model) if placed else tied_at(ref, pose, model) for ref in item.spring)
     if by_places(item, model):
         return distance(u - x, w - y)
     return along((u - x, w - y), spring_way(item, model))
+
+
+def from_first(ref: PointRef, pose: Pose, model: Known) -> Pair:
+    """Where a point is; of what travels on a line from where that is at the first state."""
+    if ref.place is None and model.line(ref.owner) is not None:
+        return pose.moved(ref.owner, model.tied(ref))
+    return tied_at(ref, pose, model)
 
 
 def by_places(item: Spring, model: Known) -> bool:

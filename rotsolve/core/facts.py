@@ -120,6 +120,7 @@ SHARED_FRICTION = Role(
 BAND = Role("friction of a band", loses=True, rubs=True, hides="draws on it from where its ends run, which is not told")
 REACTION = Role("reaction", holds=True, unseen=True)
 AXLE = Role("axle", holds=True, axle=True, unseen=True)
+GUIDE = Role("guide")  # what a slot does to its pin, and the pin to the slot, across it
 GRIP = Role("grip", unseen=True)  # of a rope and the wheel over which it runs
 SPRING = Role("spring", stores=True, springs=True)
 TORSION = Role("torsion", stores=True)
@@ -206,6 +207,7 @@ class Rule(Struct, frozen=True):
     acceleration: tuple[Formula, Formula] | None
     linear: bool = True
     remark: Words = ()
+    bent: Words = ()  # what is said of the accelerations alone
 
 
 class Need(Struct, frozen=True):
@@ -305,6 +307,18 @@ class Inertia(Struct, frozen=True):
     remark: Words = ()
 
 
+class Slider(Struct, frozen=True):
+    """What slides freely along a body that turns: its mass, its speed outwards and its distance from the axis, the way out, the push on it
+    across that, counterclockwise positive."""
+
+    name: str
+    mass: Formula
+    speed: Formula
+    place: Formula
+    outward: Heading
+    push: Formula | None  # nothing of several, whose pushes together turn nothing
+
+
 class BodyFacts(Struct, frozen=True):
     """One body at one instant: inertia, motion and all that acts on it."""
 
@@ -325,7 +339,8 @@ class BodyFacts(Struct, frozen=True):
     lays: bool = False  # it lays itself out, layer by layer
     changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
     slanted: bool = False  # it travels along a slope
-    sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
+    sliding: tuple[Slider, ...] = ()  # all that slides freely along it
+    drawn: bool = False  # whether its own data change otherwise than by what slides freely
     footings: tuple[
         tuple[str, ...], ...
     ] = ()  # of joined bodies on a line: those that are carried apart from each other

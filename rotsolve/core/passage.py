@@ -67,6 +67,9 @@ class Passage(Struct, frozen=True):
     times: tuple[Formula, Formula]
     groups: tuple[frozenset[str], ...]
     idle: tuple[str, ...] = ()  # connections that do no work, for the sentence that says why energy is conserved
+    linked: tuple[
+        tuple[str, Formula, Formula], ...
+    ] = ()  # bodies, their ways along lines, and these by the angles of what leads them
 
 
 class Meeting(Struct, frozen=True):

@@ -9,7 +9,18 @@ from rotsolve.core import facts
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, combined, pace_of
-from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Vector, along_text, heading, unit, vector
+from rotsolve.core.vectors.heading import (
+    DOWN,
+    LEFT,
+    RIGHT,
+    UP,
+    Direction,
+    Vector,
+    along_text,
+    pointing,
+    unit,
+    vector,
+)
 from rotsolve.elements.connections.touch import check_wheel
 from rotsolve.elements.shapes import rim_radius, rims
 from rotsolve.language.bodies import PointRef
@@ -17,7 +28,6 @@ from rotsolve.language.elements import Action, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
 from rotsolve.language.shape import WHEEL
 
-Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
 
 
@@ -313,17 +323,6 @@ def across(on: PointRef, arm: Vector, turn: int, instant: Moment) -> tuple[Vecto
 def turn_sense(direction: Direction | None, natural: int) -> int:
     """+1 for a counterclockwise turn, −1 for a clockwise one; the natural one where the direction says neither."""
     return {"clockwise": -1, "counterclockwise": 1}.get(str(direction), natural)
-
-
-def pointing(direction: Direction) -> Vector:
-    """Unit vector of a direction: a word, an angle, or components."""
-    if isinstance(direction, str):
-        return unit(WORDS.get(direction, RIGHT))
-    if isinstance(direction, tuple):
-        x, y = direction
-        length = sqrt(x**2 + y**2)
-        return vector(x / length, RIGHT) + vector(y / length, UP)
-    return unit(heading(direction))
 
 
 ACTIONS: list[type[Action]] = [AppliedForce, AppliedCouple, Press, Band, AppliedPower]

@@ -8,9 +8,9 @@ from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.derivation import Words, direction_in_words
 from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import RIGHT, Vector, unit
+from rotsolve.core.vectors.heading import RIGHT, Direction, Vector, pointing, unit
 from rotsolve.core.writing import and_joined, spoken
-from rotsolve.elements.actions import SQUARE, Direction, across, aimed, pointing, turn_sense
+from rotsolve.elements.actions import SQUARE, across, aimed, turn_sense
 from rotsolve.elements.collisions import Collides, called, whereabouts
 from rotsolve.elements.connections.supports import GROUND, Axis, Hinge
 from rotsolve.elements.connections.touch import Touch

@@ -142,6 +142,19 @@ class Hollow(Curved, frozen=True):
         return self.hollow
 
 
+class Wire(Curved, frozen=True):
+    word = "wire"
+    away = "towards the centre"
+    into = "away from the centre"
+    about = "a round wire on which a bead is threaded, so that it is held on both sides"
+    outside = False
+    two_sided = True
+    wire: Formula | None = amount("radius", "length", "R", "positive", required=True)
+
+    def radius(self) -> Formula | None:
+        return self.wire
+
+
 class Dome(Curved, frozen=True):
     word = "dome"
     away = "outward"
@@ -166,4 +179,4 @@ class Track(Curved, frozen=True):
     about = "a smooth track of which only heights matter: `track: profile unknown`"
 
 
-SURFACES: list[type[Surface]] = [Level, Slope, Wall, Corner, Hollow, Dome, Post, Track]
+SURFACES: list[type[Surface]] = [Level, Slope, Wall, Corner, Hollow, Wire, Dome, Post, Track]

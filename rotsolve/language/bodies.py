@@ -139,6 +139,7 @@ class Surface(Element, frozen=True):
     slanted: ClassVar[bool] = False
     upright: ClassVar[bool] = False
     curved: ClassVar[bool] = False
+    two_sided: ClassVar[bool] = False  # which holds what is on it, instead of only pushing it away
     post: ClassVar[bool] = False  # round which a rope runs, and on which nothing lies
     away: ClassVar[str] = ""  # the direction of its push in words, if not away from what its word says
     into: ClassVar[str] = "into the slope"  # the direction in which something presses on it

@@ -137,6 +137,7 @@ class Moment(Protocol):
     def velocity(self, ref: PointRef) -> Vector: ...
     def acceleration(self, ref: PointRef) -> Vector: ...
     def time(self) -> Formula: ...
+    def since_first(self, word: str, name: str) -> Formula: ...
     def now(self, value: Formula) -> Formula: ...
 
 
@@ -233,8 +234,9 @@ class Connection(ActingElement, frozen=True):
 
     `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
     nothing that is fixed, `lays_first` one that names first what it lays on something, `rimmed` one that runs on the rims of wheels,
-    `repeats` one that may name a body twice, `axial` an axis through the centre of what it holds, `circling` one that carries what it
-    holds steadily round. `kept` are its quantities that an event leaves as they were.
+    `repeats` one that may name a body twice, `guiding` one by which a body is where another one takes it, `axial` an axis through the
+    centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that an event leaves as
+    they were.
     """
 
     words: ClassVar[tuple[str, ...]] = ()
@@ -242,6 +244,7 @@ class Connection(ActingElement, frozen=True):
     bodily: ClassVar[bool] = False
     rimmed: ClassVar[bool] = False
     repeats: ClassVar[bool] = False
+    guiding: ClassVar[bool] = False
     axial: ClassVar[bool] = False
     lays_first: ClassVar[bool] = False
     circling: ClassVar[bool] = False
@@ -431,8 +434,8 @@ class Connection(ActingElement, frozen=True):
         """The coefficient by which a push limits the friction that holds; None where the push has no part in it."""
         return None
 
-    def rubbing_force(self, instant: Moment) -> Formula | None:
-        """The letter of a friction within one body, which no free-body diagram has."""
+    def force_within(self, quantity: str, instant: Moment) -> Formula | None:
+        """The letter of a push or a friction within one body, which no free-body diagram has."""
         return None
 
     def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:

@@ -65,6 +65,15 @@ def in_turning_frames(over: OverPhase) -> Iterator[Equation]:
         yield from energy_in_turning_frame(over)
 
 
+def along_what_turns(over: OverPhase) -> Iterator[Equation]:
+    """The way in time of what slides freely along a body that is driven steadily."""
+    facts = over.passage.midst
+    if facts.given and any(body.sliding for body in facts.bodies):
+        from rotsolve.laws.sliding import along_what_is_driven
+
+        yield from along_what_is_driven(over)
+
+
 def at_rest_before(passage: Passage, group: frozenset[str], earlier: Sequence[Passage]) -> Passage | None:
     """The phase that a group starts at rest, where its energy stays the same from then on; None where it is this one, or none."""
     for before in reversed(earlier):
@@ -126,7 +135,7 @@ def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
         if body.sweep is not None:
             terms.append(HALF * body.sweep.inertia * square(body.sweep.rate))
-        terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
+        terms.extend(HALF * item.mass * square(item.speed) for item in body.sliding)
     return [term for term in terms if term != ZERO]
 
 

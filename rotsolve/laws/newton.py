@@ -122,6 +122,14 @@ def law_of_rotation(at: AtMoment) -> Iterator[Equation]:
             yield from rotation_of(body, at.section)
 
 
+def where_things_slide(at: AtMoment) -> Iterator[Equation]:
+    """Newton's laws of bodies along which something slides freely."""
+    if any(body.sliding for body in at.facts.bodies):
+        from rotsolve.laws.sliding import across_what_turns
+
+        yield from across_what_turns(at)
+
+
 def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
     """Σ τ = I α of one body."""
     left, right = law(torques(body), response(body))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, negate
 from rotsolve.core.derivation import Words
@@ -20,7 +22,8 @@ def rules_for_accelerations(at: AtMoment) -> Iterator[Equation]:
     """The rules for accelerations."""
     for rule in at.facts.rules:
         if rule.acceleration is not None:
-            yield rule_equation(rule, rule.acceleration, at.section)
+            remark = (*rule.remark, *rule.bent)
+            yield rule_equation(replace(rule, remark=remark) if rule.bent else rule, rule.acceleration, at.section)
 
 
 def rules_for_velocities(at: AtMoment) -> Iterator[Equation]:
@@ -41,6 +44,12 @@ def rules_for_displacements(over: OverPhase) -> Iterator[Equation]:
         if rule.linear:
             left, right = (side.substitute(dict(over.changes)) for side in rule.velocity)
             yield rule_equation(rule, (left, right), over.section, RULE_OF_WAYS)
+
+
+def ways_by_links(over: OverPhase) -> Iterator[Equation]:
+    """The way of a body along its line by the angles of what joints and slots join it to."""
+    for name, way, gone in over.passage.linked:
+        yield RULE_OF_WAYS.equation(way, gone, over.section, (name,), words=f"how far {spoken(name)} is taken")
 
 
 def rules_to_the_end(over: OverPhase) -> Iterator[Equation]:

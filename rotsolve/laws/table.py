@@ -23,6 +23,8 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import (
     ABOUT_CONTACT,
+    ACROSS,
+    ALONG_TURNING,
     ANGLES_TURNED,
     BLOWS,
     BY_PLACE,
@@ -193,6 +195,7 @@ LAWS = (
     Principle((FACE_FRICTION,), (STATE, MIDST), "newton:frictions_of_faces"),
     Principle((FACE_FRICTION,), (FOLLOWED,), "newton:frictions_summed_up"),
     Principle((SECOND_LAW,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:second_law"),
+    Principle((ACROSS, ROTATION), (STATE,), "newton:where_things_slide"),
     Principle((CARRIED,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:carried_apart"),
     Principle((ROTATION,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:law_of_rotation"),
     Principle((ABOUT_CONTACT,), (STATE, MIDST), "groups:rotation_about_contacts"),
@@ -207,6 +210,7 @@ LAWS = (
     Principle((POWER,), (SWINGING,), "groups:power_of_forces"),
     Principle((CONSERVATION, WORK_AND_ENERGY), (PHASE,), "energy:conservation"),
     Principle((TURNING_FRAME,), (PHASE,), "energy:in_turning_frames"),
+    Principle((ALONG_TURNING,), (PHASE,), "energy:along_what_turns"),
     Principle((WORK, WAY_OF_SLIP), (PHASE,), "works:works_spelled"),
     Principle(
         (*STEADY_ACCELERATION, IN_TIME, BY_PLACE, SUMMED_OVER_WAY, COORDINATE, TIME_ELAPSED),
@@ -220,6 +224,7 @@ LAWS = (
     Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
     Principle((COMMON_AXIS,), (PHASE,), "past_surfaces:about_points_of_surfaces"),
     Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
+    Principle((RULE_OF_WAYS,), (PHASE,), "rules:ways_by_links"),
     Principle((RULE,), (PHASE,), "rules:rules_to_the_end"),
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),
     Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:group_through_event"),

@@ -63,7 +63,7 @@ def disturbed(body: BodyFacts, passage: Passage) -> bool:
 
 def frame_energy(body: BodyFacts, facts: Facts) -> list[Formula]:
     """½ m v² along the body of all that slides on it, −½ I Ω², and the energy of springs on it, term by term."""
-    terms = [HALF * mass * square(speed) for mass, speed in body.sliding]
+    terms = [HALF * item.mass * square(item.speed) for item in body.sliding]
     if body.inertia is not None:
         terms.append(negate(HALF * body.inertia.letter * square(body.motion.spin)))
     return [*terms, *(item.energy for item in facts.potentials if body.name in item.bodies)]

@@ -8,7 +8,7 @@ from typing import TypeVar
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, total
+from rotsolve.algebra.formula import ZERO, total
 from rotsolve.core.facts import (
     WEIGHT,
     BodyFacts,
@@ -21,11 +21,13 @@ from rotsolve.core.facts import (
     Potential,
     Requirement,
     Rule,
+    Slider,
     Summed,
 )
-from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit
+from rotsolve.core.vectors.heading import DOWN, RIGHT, TURNS, UP, Heading, unit
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import supporting
+from rotsolve.language.bodies import Ride
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.footing import footings, on_parts
 from rotsolve.motion.instant import Instant
@@ -135,7 +137,8 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         lays=instant.configuration.laid(body.name),
         changing=instant.configuration.changing(body.name, instant.state),
         slanted=slanted(body.name, instant),
-        sliding=sliding(body.name, instant),
+        sliding=(slides := sliding(body.name, instant)),
+        drawn=bool(slides) and data_drawn(body.name, instant),
         sweep=sweep(body, own.pieces, own.reference, motion.orientation, motion.whirl, instant.configuration.order),
         footings=footings(body.name, motion, forces, instant) if len(carried) > 1 else (),
     )
@@ -147,11 +150,28 @@ def slanted(name: str, instant: Instant) -> bool:
     return surface is not None and surface.slanted
 
 
-def sliding(name: str, instant: Instant) -> tuple[tuple[Formula, Formula], ...]:
-    """Mass and speed along the body of each rider that slides on it freely."""
-    riders = [item.rider.owner for item in instant.configuration.rides(instant.state) if item.free]
-    own = [rider for rider in riders if instant.host(rider) == name]
-    return tuple((mass_of(instant.body(rider)), instant.outward(rider)) for rider in own)
+def sliding(name: str, instant: Instant) -> tuple[Slider, ...]:
+    """All that slides freely along a body."""
+    riders = [item for item in instant.configuration.rides(instant.state) if item.free]
+    return tuple(slider(item, instant) for item in riders if instant.host(item.rider.owner) == name)
+
+
+def slider(item: Ride, instant: Instant) -> Slider:
+    """What slides freely, at a moment."""
+    rider = item.rider.owner
+    mass, place = mass_of(instant.body(rider)), getattr(instant.body(rider).shape, "radius", None) or ZERO
+    push = instant.ask("normal_force", item.owner, words=TURNS) if instant.body(rider).count == 1 else None
+    out = instant.orientation(instant.host(rider))
+    return Slider(rider, mass, instant.outward(rider), place, out, push)
+
+
+def data_drawn(name: str, instant: Instant) -> bool:
+    """Whether data of a body, or of what it carries, change in a phase otherwise than by what slides freely."""
+    configuration, phase = instant.configuration, instant.configuration.timeline.phase_of(instant.state)
+    free = {item.rider.owner for item in configuration.rides(instant.state) if item.free}
+    own = [item for item in configuration.carried(name, instant.state) if item not in free]
+    changes = phase is not None and any(configuration.altered(item, phase.start, phase.end) for item in own)
+    return changes or configuration.laid(name)
 
 
 def axes_of(motion: Motion) -> tuple[Heading, ...]:

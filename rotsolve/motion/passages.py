@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ZERO, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Passage, Work
 from rotsolve.core.symbols import UNKNOWN, key_of
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.places import heights
+from rotsolve.motion.places import heights, way_by_links
 from rotsolve.motion.travels import Lead, leading_place, leading_rate, led, stored_place, travels_of
 from rotsolve.motion.works import PhaseWorks, works_on
 
@@ -125,7 +125,18 @@ def passage(interval: Interval, start: Known, end: Known, midst: Known) -> Passa
         times,
         groups,
         idle,
+        tuple(linked_ways(midst_facts, interval, first, last)),
     )
+
+
+def linked_ways(
+    facts: Facts, interval: Interval, first: Instant, last: Instant
+) -> Iterator[tuple[str, Formula, Formula]]:
+    """Bodies with their ways along their lines, and what these are by the angles of what leads them."""
+    for body in facts.bodies:
+        way = way_by_links(body.name, interval, first, last)
+        if way is not None:
+            yield body.name, *way
 
 
 def leads_of(groups: Sequence[frozenset[str]], start: Known, end: Known, midst: Known) -> dict[str, Lead | None]:

@@ -39,9 +39,10 @@ def place_along(
     told = (item.place(name, way, instant, known) for item in configuration.connections(instant.state))
     found = next((value for value in told if value is not None), None)
     line = instant.line(name)
-    if found is None and ways and line is not None and not configuration.laid(name):
+    if found is None and line is not None and not configuration.laid(name):
         along = (line[0] - way).cos()
-        return instant.since_first("displacement", name) * along if along != ZERO else ZERO
+        if ways or along == ZERO:
+            return instant.since_first("displacement", name) * along if along != ZERO else ZERO
     if found is None and way not in (RIGHT, UP):
         sides = [(place_along(name, axis, instant, ways=ways, seen=seen), (axis - way).cos()) for axis in (RIGHT, UP)]
         parts = [None if side is None else side * share for side, share in sides if share != ZERO]
@@ -84,11 +85,32 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
     """Places of a body's reference at both ends of a phase, along a direction; None where geometry does not tell."""
     line = first.line(name)
     straight = first.motion(name).kind == "line" and first.orbit(name) is None and not first.configuration.laid(name)
-    if straight and line is not None:
+    link = straight and led_by_links(name, way, first)
+    if straight and line is not None and not link:
         along = (line[0] - way).cos()
         return (ZERO, displacement(name, interval, first) * along if along != ZERO else ZERO)
     before, after = place_along(name, way, first), place_along(name, way, last)
-    return None if before is None or after is None else (before, after)
+    if before is None or after is None:
+        return None
+    return (simplify(before), simplify(after)) if link else (before, after)
+
+
+def led_by_links(name: str, way: Heading, instant: Instant) -> bool:
+    """Whether joints or slots tell where a body on a line is along that, by the angles of what they join it to: a slider on a rod."""
+    known = partial(place_of_point, way=way, instant=instant, ways=False, seen=(name,))
+    items = (item for item in instant.configuration.connections(instant.state) if item.guiding)
+    return any(item.place(name, way, instant, known) is not None for item in items)
+
+
+def way_by_links(name: str, interval: Interval, first: Instant, last: Instant) -> Ends | None:
+    """The way of a body along its line in a phase, and what that is by the angles of what joints and slots join it to."""
+    line = first.line(name)
+    if line is None or first.motion(name).kind != "line" or first.orbit(name) is not None:
+        return None
+    if first.configuration.laid(name) or not led_by_links(name, line[0], first):
+        return None
+    ends = ends_of(name, line[0], interval, first, last)
+    return None if ends is None else (displacement(name, interval, first), simplify(ends[1] - ends[0]))
 
 
 def gone_along(name: str, way: Heading, interval: Interval, first: Instant, last: Instant) -> Formula | None:

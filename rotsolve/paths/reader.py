@@ -136,7 +136,7 @@ class OfElements(AtInstant, frozen=True):
         """The push of a surface or its friction, on the body that a contact names first."""
         rubs = path.quantity == "friction_force"
         item = self._connection(path.owner)
-        within = item.rubbing_force(self.instant) if item is not None and rubs else None
+        within = item.force_within(path.quantity, self.instant) if item is not None else None
         if within is not None:
             return within
         first = self.instant.host(item.touches()[0].owner) if item is not None and item.touches() else ""
@@ -144,7 +144,9 @@ class OfElements(AtInstant, frozen=True):
         force = next((force for _, force in forces if (force.role.rubs if rubs else force.role.presses)), None)
         if force is None:
             return ZERO
-        return Meaning(force.size, QUANTITIES[path.quantity].dimension, words=(force.way if rubs else "", ""))
+        surface = item.surface(self.instant.configuration, self.instant.state) if item is not None else None
+        both = (surface.away, surface.into) if surface is not None and surface.two_sided else ("", "")
+        return Meaning(force.size, QUANTITIES[path.quantity].dimension, words=(force.way, "") if rubs else both)
 
     def _stored(self, owner: str) -> Potential | None:
         """The energy that a spring or wire stores."""

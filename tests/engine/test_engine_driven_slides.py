@@ -89,7 +89,7 @@ def test_where_nothing_is_kept_it_is_refused(old: str, new: str, words: str) -> 
 
 
 def test_no_impulse_is_said_to_be_nothing_of_a_body_on_which_something_slides() -> None:
-    """The time that it takes is no closed form of these laws: it is refused by that, and not as a place that is never reached."""
+    """The time that it takes on a spring is not told by these laws: it is refused by that, and not as a place that is never reached."""
     with pytest.raises(Unsolvable, match="`t` is not solved by these laws"):
-        asked = SCENE.replace("v: sleeve.velocity.radial at out, W: axis.work", "t: time").replace("MORE", "")
+        asked = SCENE.replace("v: sleeve.velocity.radial at out, W: axis.work", "t: time").replace("MORE", COIL)
         rotsolve.solve(asked)

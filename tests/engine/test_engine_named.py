@@ -87,6 +87,11 @@ SPUN = (
     "bodies: {wheel: {shape: disc, mass: m, radius: R}}\nconnections: {mount: {axle: wheel, friction_torque: tau}}\n"
     "states: {start: {wheel.angular_velocity: w}, end: {time: 20 s}}\nfind: {x: wheel.angular_velocity at end}\n"
 )
+ROCKED = (
+    LINKS
+    + "connections: {nail: {hinge: a.start, angular_velocity: w}, foot: {hinge: b.start}, pin: {slot: [a.end, b.at(L/2)]}}\n"
+    "states: {now: {a.angle: 80 deg, b.angle: 20 deg}%s}\n"
+)
 NO_ANSWER = re.compile("(?:there is no answer|no answer is found): ")
 
 TWO_ANGLES = """given: {L: 1 m, b: 0.7 m, w: 2 rad/s, p: unknown, q: ANGLE}
@@ -491,6 +496,10 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
     "energy that comes to nothing": (
         BY_ENERGY.replace("LAW", "kinetic_energy: tau*cos(time/t1)^2"),
         BY_ENERGY.replace("LAW", "angular_velocity: w*cos(time/t1)"),
+    ),
+    "pin along an arm": (
+        ROCKED % ", later: {a.angle: 1 rad}" + "find: {x: b.angular_velocity at later}\n",
+        ROCKED % "" + "find: {x: b.angular_velocity at now}\n",
     ),
     "way of what is caught": (
         CAUGHT + "find: {x: ball.cm.displacement.x from before to end}\n",

@@ -32,7 +32,8 @@ INERTIA_CHANGES = """ball-bounces-twice
 bead-flung-along-a-bar beads-drawn-inwards beads-to-double-speed man-walks-inwards man-walks-round man-with-weights
 sand-on-a-turntable sleeve-on-a-driven-rod wheel-on-a-stool carpet-unrolls skater-pulls-in
 satellite-with-a-reaction-wheel"""
-REACTIONS = """wheel-with-rolling-resistance bar-on-two-skew-rods disc-on-an-axle-that-sways coin-that-trembles gyrocompass-that-swings
+REACTIONS = """arm-rocked-by-a-crank bead-in-a-driven-tube bead-in-a-driven-tube-at-a-time scotch-yoke
+wheel-with-rolling-resistance bar-on-two-skew-rods disc-on-an-axle-that-sways coin-that-trembles gyrocompass-that-swings
 hookes-joint rod-on-two-cords
 ladder-inside plank-on-trestles plank-tips whirled-rod incline-pulley-rest
 plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal plate-normal plates-on-their-diagonals propeller

@@ -101,6 +101,11 @@ def other_end(at: Node, item: Band) -> Reckoned:
 
 
 def normal_force(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """The push of a surface; on what slides along a body that turns that across it, counterclockwise positive."""
+    if isinstance(item := element(at, path.owner), Rides):
+        turn = at.pose.turn(item.rides[1].owner).value
+        way, _ = on_body(at, item.rides[0].owner, loads(at, path.owner, "across"))
+        return number(scalar(way, (-math.sin(turn), math.cos(turn))), math.hypot(*way))
     at.told(path.owner, "normal")
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
     if not sizes:

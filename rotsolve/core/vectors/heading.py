@@ -259,3 +259,17 @@ def opposite(words: str) -> str:
 def along_text(direction: Heading) -> str:
     """A heading in words: right, up, left, down; nothing for one at an angle."""
     return next((word for word, way in WORDS.items() if way == direction.turned(0)), "")
+
+
+Direction = str | Formula | tuple[Formula, Formula]  # as a scene writes it
+
+
+def pointing(direction: Direction) -> Vector:
+    """Unit vector of a direction: a word, an angle, or components."""
+    if isinstance(direction, str):
+        return unit(WORDS.get(direction, RIGHT))
+    if isinstance(direction, tuple):
+        x, y = direction
+        length = sqrt(x**2 + y**2)
+        return vector(x / length, RIGHT) + vector(y / length, UP)
+    return unit(heading(direction))

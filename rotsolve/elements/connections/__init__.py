@@ -6,6 +6,7 @@ from rotsolve.elements.connections.drives import Belt, Gear, MutualDrive
 from rotsolve.elements.connections.drives import guide as guide
 from rotsolve.elements.connections.pairs import Ball, Clamp, Collar, Screw, Sleeve, Slide, Universal
 from rotsolve.elements.connections.rubbing import Clutch
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Rides, Shaft, Weld
@@ -36,4 +37,5 @@ CONNECTIONS: list[type[Connection]] = [
     MutualDrive,
     Clutch,
     Rides,
+    PinSlot,
 ]

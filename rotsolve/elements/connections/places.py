@@ -68,9 +68,13 @@ def joint_of(first: str, second: str, instant: Moment) -> tuple[PointRef, ...]:
 
 
 def where(ref: PointRef, instant: Moment) -> Vector | None:
-    """A point in the scene's coordinates: a fixed place, or a point of a body whose fixed pivot is the origin."""
+    """A point in the scene's coordinates: a fixed place, a point of a body whose fixed pivot is the origin, or what travels on a line,
+    which is at the origin at the first state."""
     if ref.place is not None:
         return vector(ref.place[0], RIGHT) + vector(ref.place[1], UP)
     if ref.owner in instant.configuration.bodies and instant.motion(ref.owner).kind == "axis":
         return instant.point(ref)
+    motion = instant.motion(ref.owner) if ref.owner in instant.configuration.bodies else None
+    if motion is not None and motion.heading is not None and motion.bend is None:
+        return vector(instant.since_first("displacement", instant.host(ref.owner)), motion.heading)
     return None

@@ -12,6 +12,7 @@ from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, squar
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between, rightward
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -43,16 +44,21 @@ class Spring(Connection, frozen=True):
             message = f"`{self.name}` runs from one of its ends to the other, whose places tell its direction"
             raise Unsolvable(message, span=self.spring[0].span, help="leave out `direction`")
         for ref in self.spring if self.placed else ():
-            if ref.place is None and ref.owner not in scene.held and ride is None:
-                help = "solved are springs from a place to a point of a hinged body; the hinge is at [0, 0]"
+            led = ref.owner in scene.bodies and self.led(scene.bodies[ref.owner])
+            if ref.place is None and ref.owner not in scene.held and ride is None and not led:
+                help = "solved are springs from a place to a hinged body, its hinge at [0, 0], or to a particle that `moves`"
                 raise Unsolvable(f"where `{ref.owner}` is in the scene is not told", span=ref.span, help=help)
         if self.placed and self.rest_length is None:
             help = "a given that is `unknown` where a state tells how far it is stretched"
             message = f"`{self.name}` runs from a place: give its `rest_length`"
             raise Unsolvable(message, span=self.spring[0].span, help=help)
 
+    def led(self, body: Body) -> bool:
+        """Whether a body is a particle on a line that it tells, as a collar on its guide."""
+        return body.moves is not None and shape_of(body).pointlike and not body.parts
+
     def hangs(self, body: Body) -> bool:
-        return any(ref.owner == body.name and ref.point in (None, "center") for ref in self.spring)
+        return not self.placed and any(ref.owner == body.name and ref.point in (None, "center") for ref in self.spring)
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"

@@ -28,7 +28,7 @@ from rotsolve.core.facts import (
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import TIME, combined, pace_of
-from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
+from rotsolve.core.vectors.heading import RIGHT, TURNS, UP, Heading, unit
 from rotsolve.elements.connections.faces import (
     Radii,
     check_pressed,
@@ -52,6 +52,7 @@ class Driven(Connection, frozen=True):
     """Base of what turns a body by itself: a rate given as a value or a formula of `time`."""
 
     quantities: ClassVar[tuple[str, ...]] = ("force", "torque", "angle", "angular_velocity", "angular_acceleration")
+    guiding: ClassVar[bool] = True
 
     friction_torque: Formula | None = amount(
         "friction torque, against the motion",
@@ -424,7 +425,7 @@ class Rides(Connection, frozen=True):
     word = "rides"
     about = "a particle slides along another body and turns with it, at its `radius` from the axis"
     instead = "`slide: [BAR.P, BEAD], along: x` lets it slide along what carries it, from a point of that"
-    quantities = ("work", "friction_force")
+    quantities = ("work", "friction_force", "normal_force")
     words = ("slips", "sticks")
     bodily = True
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
@@ -529,8 +530,10 @@ class Rides(Connection, frozen=True):
         friction, most = instant.ask("friction_force", self.name), most_on_a_circle(self, instant)
         return ((friction, most, friction), (friction, most, friction))
 
-    def rubbing_force(self, instant: Moment) -> Formula | None:
-        return instant.ask("friction_force", self.name) if self.lies() else None
+    def force_within(self, quantity: str, instant: Moment) -> Formula | None:
+        told = quantity == "friction_force" if self.lies() else quantity == "normal_force" and self.ride().free
+        words = TURNS if quantity == "normal_force" else ("", "")
+        return instant.ask(quantity, self.name, words=words) if told else None
 
 
 def travels_straight(joint: tuple[PointRef, ...], configuration: Surroundings, state: str) -> bool:

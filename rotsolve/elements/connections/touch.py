@@ -209,9 +209,24 @@ class Touch(Connection, frozen=True):
         if not fits or body.parts or body.holes:
             help = "solved are uniform round bodies" + ("" if edge else ", and particles")
             raise Unsolvable(f"`{body.name}` on `{surface.name}` is not solved yet", span=ref.span, help=help)
+        if surface.two_sided:
+            self.check_threaded(surface, scene)
         for other in self.held_besides(scene):
             message = f"`{other}` on a body that is on `{surface.name}` is not solved yet"
             raise Unsolvable(message, span=ref.span, help="solved are forces and couples on it")
+
+    def check_threaded(self, surface: Curved, scene: Surroundings) -> None:
+        """A wire goes through a particle, which does not come off it."""
+        ref = self.pair()[0]
+        if not shape_of(scene.bodies[ref.owner]).pointlike:
+            help = "leave out its `shape`; what rolls lies in a `hollow` or on a `dome`"
+            raise Unsolvable(
+                f"`{ref.owner}` is threaded on `{surface.name}`, and is no particle", span=ref.span, help=help
+            )
+        for line in (line for state in scene.problem.states for line in state.conditions if line.word == "leaves"):
+            if line.path is not None and line.path.owner == self.name:
+                message = f"`{ref.owner}` is threaded on `{surface.name}`, and does not leave it"
+                raise Unsolvable(message, span=line.span, help="ask for the place where `normal_force` is 0")
 
     def rooms(self, scene: Surroundings) -> Iterator[Limit]:
         """A wheel fits into the bowl and is larger than the step; and what its friction asks."""
@@ -276,7 +291,8 @@ class Touch(Connection, frozen=True):
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
         way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
         turn = "forward along" if radius is None else "counterclockwise round" if way > 0 else "clockwise round"
-        return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}", not surface.outside)
+        hollow = not (surface.outside or surface.two_sided)
+        return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}", hollow)
 
     def touching_angle(self, instant: Moment) -> Formula:
         """For a wheel on the floor the place of a corner settles it."""
@@ -315,7 +331,8 @@ class Touch(Connection, frozen=True):
         facing = self.normal(surface, instant)
         self.check_abreast(surface, instant)
         arm, span = contact_arm(ref, facing, instant), instant.span(name)
-        normal = instant.ask("normal_force", self.name, when=span)
+        ways = (surface.away, surface.into) if surface.two_sided else ("", "")
+        normal = instant.ask("normal_force", self.name, when=span, words=ways)
         if isinstance(surface, Curved) and surface.radius() is None:  # a push that no law tells
             yield from self.friction_facts(instant, name, arm, surface, normal)
             return
@@ -324,7 +341,8 @@ class Touch(Connection, frozen=True):
         yield from self.both(force, instant, "push", surface.into, ref.owner)
         lying = spoken(ref.owner)
         kept, otherwise = f"{lying} stays on the {spoken(surface.name)}", f"{lying} leaves the surface"
-        yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
+        if not surface.two_sided:
+            yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
         if not surface.curved:
             yield from self.lies_in_front(facing, instant)
             yield from self.on_its_bow(facing, instant)

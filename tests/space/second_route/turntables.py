@@ -114,10 +114,23 @@ def rod_falls_on_a_turning_shaft(n: Numbers) -> Answers:
     return {"W": round_, "w": falls, "F": n.M * SIZE([inward, n.g - down])}
 
 
+def bead_slides_down_a_hoop(n: Numbers) -> Answers:
+    """θ̈ = −(g/R + W² sin θ) cos θ with W by the angular momentum, summed over the way: ½ ω² = −∫ θ̈ dθ."""
+    moment, spread = n.M * n.R**2 / 2, n.m * n.R**2
+    momentum = (moment + spread * cos(n.theta) ** 2) * n.w0
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    angles = n.theta * (1 + nodes) / 2
+    rates = momentum / (moment + spread * np.cos(angles) ** 2)
+    faster = (n.g / n.R + rates**2 * np.sin(angles)) * np.cos(angles)
+    round_, falls = momentum / (moment + spread), float(np.sqrt(n.theta * weights @ faster))
+    return {"W": round_, "w": falls, "v": n.R * SIZE([round_, falls])}
+
+
 CALCULATIONS = {
     "ball-across-a-slope": ball_across_a_slope,
     "ball-on-a-tilted-turntable": ball_on_a_tilted_turntable,
     "ball-on-a-turntable": ball_on_a_turntable,
+    "bead-on-a-hoop-that-turns-freely": bead_slides_down_a_hoop,
     "rod-falls-on-a-turning-shaft": rod_falls_on_a_turning_shaft,
     "wheel-held-on-a-turntable": wheel_held_on_a_turntable,
 }

@@ -126,6 +126,12 @@ def lying_tilt(name: str, model: Model, kinds: ConnectionKinds) -> float | None:
     return None
 
 
+def threaded(name: str, model: Model, kinds: ConnectionKinds) -> bool:
+    """Whether a body is a bead on a wire."""
+    places = [surface_of(item, model) for item in kinds.contacts if item.lying() == name]
+    return any(surface is not None and surface.two_sided for surface in places)
+
+
 def plain_outline(
     name: str, model: Model, kinds: ConnectionKinds, value: Value, sizes: Measures, before: dict[str, Figured]
 ) -> tuple[tuple[BodyOutline, ...], bool]:
@@ -134,6 +140,8 @@ def plain_outline(
     if is_rope(name, kinds):
         return (), False
     if shape_of(body).pointlike and body.shape is not None:
+        return (disc(0.0),), False
+    if threaded(name, model, kinds):
         return (disc(0.0),), False
     holding = [item for item in model.acting.connections if name in {ref.owner for ref in item.touches()}]
     if any(item.axial or item.between() or item.winds() for item in holding) and body.shape is None:

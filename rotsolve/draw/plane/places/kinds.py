@@ -10,6 +10,7 @@ from msgspec import Struct, field
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.touch import Touch
@@ -28,6 +29,7 @@ class ConnectionKinds(Struct):
     ropes: list[Drapes] = field(default_factory=list)
     gears: list[Gear] = field(default_factory=list)
     belts: list[Belt] = field(default_factory=list)
+    slots: list[PinSlot] = field(default_factory=list)
 
 
 KINDS: dict[type[Connection], str] = {
@@ -37,6 +39,7 @@ KINDS: dict[type[Connection], str] = {
     Drapes: "ropes",
     Gear: "gears",
     Belt: "belts",
+    PinSlot: "slots",
 }
 
 

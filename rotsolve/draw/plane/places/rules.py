@@ -5,10 +5,12 @@ from __future__ import annotations
 from rotsolve.confirm.forces import spring_way
 from rotsolve.confirm.pose import StringPart, turned
 from rotsolve.confirm.seating import joints_of
+from rotsolve.confirm.signs import pointing
 from rotsolve.draw.paper.figure import Point
 from rotsolve.draw.plane.places.contacts import lay, lay_later
 from rotsolve.draw.plane.places.equations import WISH, Place, gap_between_places, part_along, place_off, told_place
 from rotsolve.draw.plane.places.stage import PlaneStage
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.language.bodies import PointRef
 
@@ -31,6 +33,8 @@ def arrange(stage: PlaneStage) -> None:
     for belt in stage.kinds.belts:
         for first, second in zip(belt.belt, belt.belt[1:], strict=False):
             wheels_beside(first, second, stage, gap=APART)
+    for slot in stage.kinds.slots:
+        lay_slot(slot, stage)
     for wheels in stage.wheels:
         wheels_beside(*wheels, stage)
     lay_later(stage)
@@ -76,6 +80,21 @@ def lay_spring(item: Spring, stage: PlaneStage) -> None:
     stage.layout.equal(part_along(gap, way), long, WISH)
 
 
+def lay_slot(item: PinSlot, stage: PlaneStage) -> None:
+    """A pin is in the slot of another body: at the place that is told there, else in line with the middle of that."""
+    if item.within.owner not in stage.bodies:
+        return
+    pin, within = stage.tied(item.pin), stage.tied(item.within)
+    if pin is None or within is None:
+        return
+    if item.along is None:
+        stage.layout.meet(pin, within)
+        return
+    way, gap = pointing(item.along, stage.model), gap_between_places(pin, within)
+    stage.layout.equal(part_along(gap, turned(way)))
+    stage.layout.equal(part_along(gap, way), 0.0, WISH)
+
+
 def wheels_beside(
     first: PointRef, second: PointRef, stage: PlaneStage, *, gap: float = 1.0, inside: bool = False
 ) -> None:
@@ -114,9 +133,18 @@ def join(stage: PlaneStage) -> None:
         else:
             stage.layout.meet(first, second)
     share_axles(stage)
+    place_collars(stage)
     told = any(ref.place is not None for item in stage.model.acting.connections for ref in item.touches())
     for name, (_, ref) in stage.model.held.items() if told else ():
         stage.layout.meet(stage.place_of(name, stage.model.drawn(ref)), told_place(0.0, 0.0))
+
+
+def place_collars(stage: PlaneStage) -> None:
+    """What a spring from a place holds on its line: at the origin."""
+    for spring in stage.kinds.springs:
+        ends = [ref for ref in spring.spring if ref.owner in stage.bodies and ref.owner not in stage.model.held]
+        if len(ends) == 1 and len([ref for ref in spring.spring if ref.place is not None]) == 1:
+            stage.layout.meet(stage.place_of(ends[0].owner, stage.model.tied(ends[0])), told_place(0.0, 0.0))
 
 
 def share_axles(stage: PlaneStage) -> None:

@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.signs import normal, surface_of, uphill
-from rotsolve.draw.paper.figure import GROUND, SURFACE, Point, arc_points, shifted_by
+from rotsolve.draw.paper.figure import GROUND, STRING, SURFACE, Point, arc_points, shifted_by
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.places.kinds import by_kind, edge_height, row_for
 from rotsolve.draw.plane.places.stage import PlaneStage
@@ -17,7 +17,7 @@ from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.draw.plane.signs.wording import told_as
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
-from rotsolve.elements.surfaces import Corner, Curved, Dome, Hollow, Level, Slope, Track, Wall
+from rotsolve.elements.surfaces import Corner, Curved, Dome, Hollow, Level, Slope, Track, Wall, Wire
 from rotsolve.language.bodies import Surface
 
 BEYOND, SHORT = 24.0, 3.0  # points of a surface beyond what lies on it; between its edge and a wheel
@@ -214,6 +214,16 @@ def bowl(surface: Hollow, where: Point, stage: PlaneStage, sheet: ScenePaper) ->
     round_curve(surface, where, stage, sheet, loops(surface, stage))
 
 
+def draw_wire(surface: Wire, where: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
+    """A ring of wire, without ground behind it."""
+    centre, radius = sheet.at(where), stage.value(surface.radius() or ZERO) * sheet.scale
+    sheet.figure.line(arc_points(centre, radius, -math.pi / 2, 1.5 * math.pi), STRING)
+    words = told_words(stage, surface.radius())
+    if words is not None:
+        sheet.radius(centre, radius, clear_way(surface, centre, stage, sheet), words)
+        sheet.hub(centre)
+
+
 def loops(surface: Curved, stage: PlaneStage) -> bool:
     """Whether a state speaks of a place in the upper half of a hollow, or the track leads into it from elsewhere."""
     for item in by_kind(stage.model.problem.connections).contacts:
@@ -300,6 +310,7 @@ SURFACES: dict[type[Surface], Callable[[Any, Any, PlaneStage, ScenePaper], None]
     Wall: wall,
     Corner: step,
     Hollow: bowl,
+    Wire: draw_wire,
     Dome: hill,
     Track: track,
 }

@@ -8,6 +8,7 @@ from rotsolve.algebra.formula import Negative, negate
 from rotsolve.draw.paper.figure import SENSE, SPIN, Point, quarter, shifted_by, unit_of
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.places.bodies import Figured
+from rotsolve.draw.plane.places.contacts import normal_sign
 from rotsolve.draw.plane.places.kinds import curve_radius
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
@@ -73,9 +74,8 @@ def curve_way(body: Figured, stage: PlaneStage) -> Point | None:
                 if curve_radius(surface) is not None:
                     x, y = (part.at(stage.found) for part in where)
                     out = unit_of((body.place[0] - x, body.place[1] - y))
-                    tangent = quarter(out)
-                    right = 1.0 if body.body.moves != "left" else -1.0
-                    return tangent if tangent[0] * right > 0 else (-tangent[0], -tangent[1])
+                    (u, w), sense = quarter(out), normal_sign(surface) * (1.0 if body.body.moves == "left" else -1.0)
+                    return u * sense, w * sense
     return None
 
 

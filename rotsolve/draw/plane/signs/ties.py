@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rotsolve.confirm.bodies import radius_of
-from rotsolve.confirm.signs import carrier_of
+from rotsolve.confirm.signs import carrier_of, pointing
 from rotsolve.draw.paper.figure import AXIS, STRING, SUPPORT, THIN, Point, arc_points, ray, shifted_by
 from rotsolve.draw.plane.places.kinds import row_for
 from rotsolve.draw.plane.places.stage import PlaneStage
@@ -17,6 +17,7 @@ from rotsolve.draw.plane.signs.strings import draw_belt, draw_rope, draw_spring,
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, MutualDrive
 from rotsolve.elements.connections.rubbing import Rubbing
+from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Rides, Shaft, Weld
@@ -24,6 +25,7 @@ from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.elements import Connection
 
 SPIRAL, TURNS = 13.0, 2.25  # radius and turns of a torsion spring
+SLOT = 22.0  # half the length of a slot
 TEETH = 5.0  # between the strokes of a rim with teeth
 
 
@@ -84,6 +86,21 @@ def draw_ride(item: Rides, stage: PlaneStage, sheet: ScenePaper) -> None:
     along = ray(turn)
     box = widen(shifted_by(at, along, -6.0), shifted_by(at, along, 6.0), 5.0)
     sheet.figure.line(box, SUPPORT, closed=True)
+
+
+def draw_slot(item: PinSlot, stage: PlaneStage, sheet: ScenePaper) -> None:
+    """A pin between the two sides of its slot."""
+    place, carrier = stage.point(item.pin), stage.bodies.get(item.within.owner)
+    if place is None:
+        return
+    at = sheet.at(place)
+    way = (
+        pointing(item.along, stage.model)
+        if item.along is not None
+        else ray(carrier.turn if carrier is not None else 0.0)
+    )
+    sheet.figure.line(widen(shifted_by(at, way, -SLOT), shifted_by(at, way, SLOT), 4.0), SUPPORT, closed=True)
+    sheet.pin(at, stands=False)
 
 
 def draw_gear(item: Gear, stage: PlaneStage, sheet: ScenePaper) -> None:
@@ -173,6 +190,7 @@ CONNECTIONS: dict[type[Connection], Callable[[Any, PlaneStage, ScenePaper], None
     Axle: draw_axle,
     Weld: draw_weld,
     Rides: draw_ride,
+    PinSlot: draw_slot,
     Gear: draw_gear,
     Torsion: draw_torsion,
     Shaft: draw_shaft,
