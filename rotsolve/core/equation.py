@@ -134,7 +134,7 @@ class Equation(Struct, frozen=True):
 
 SECOND_LAW = Law("second law", "Newton's second law, {body}{component}", NEWTON, 3)
 ACROSS = Law("second law across what turns", "Newton's second law, {rider}, across {carrier}", NEWTON, 3)
-ALONG_TURNING = Law("sliding along what turns", "motion of {rider} along {carrier}, r̈ = ω² r", NEWTON, 2)
+ALONG_TURNING = Law("sliding along what turns", "motion of {rider} along {carrier}, r̈ = ω² r", NEWTON, 3)
 CARRIED = Law("carried apart", "Newton's second law, {whole}{component}: what it lies on carries it", NEWTON, 3)
 ROTATION = Law("rotation", "Newton's law for rotation, {body}{about}", NEWTON, 3)
 ABOUT_CONTACT = Law("rotation about a point of contact", "Newton's law for rotation, {body} about {point}", NEWTON, 2)
