@@ -50,6 +50,7 @@ class AtOnce(Event, frozen=True):
             yield from item.needs(before, after)
         for item in hits:
             yield from pushing(item, before, after)
+            yield from item.passive(before, after)
 
     def no_torque(self, instant: Moment) -> str:
         return "the blows there have no arm"

@@ -24,7 +24,7 @@ from rotsolve.core.facts import (
     enough,
     signed,
 )
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.core.vectors.heading import DOWN, NOWHERE, RIGHT, Heading, Vector, unit
 from rotsolve.core.writing import is_negative, spoken
 from rotsolve.elements.connections.touch import Friction, contact_arm
@@ -217,6 +217,9 @@ class Bounces(Collides, frozen=True):
         if self.tangential is not None and self.friction.kind == "coefficient":
             message = f"`{self.name}` has a `tangential` restitution and a coefficient of friction"
             raise Unsolvable(message, span=self.struck.span, help="give one of the two")
+        if self.rubs() and self.friction.static != self.friction.kinetic:
+            message = f"`{self.name}` with two coefficients of friction is not solved yet: which of them it is may change within a blow"
+            raise Unsolvable(message, span=self.struck.span, help="give it one coefficient", kind=UNSOLVED)
         bare = self.struck.point is None and rim_radius(body, None) is None
         if self.surface is not None and bare and (body.parts or not shape_of(body).pointlike):
             message = f"with which point `{body.name}` strikes `{name}` nothing tells"
@@ -362,6 +365,16 @@ class Bounces(Collides, frozen=True):
         if self.rubs():
             yield enough(self.name, rub, (self.friction.static or ZERO) * push, "slip")
         if coupled:
-            slid = self.slip(before) + self.slip(after)
-            lost = push * (came - went) - rub * slid  # twice the energy that the impulses take
-            yield Requirement(self.name, GAINS, lost, ZERO, "", f"{body} would gain energy, which no blow gives, in")
+            yield self.loses(before, after)
+
+    def passive(self, before: Moment, after: Moment) -> Iterator[Requirement]:
+        if self.grips and not self.coupled(before):
+            yield self.loses(before, after)
+
+    def loses(self, before: Moment, after: Moment) -> Requirement:
+        """What grips gives no energy: twice what its impulses take, J (u − u′) − J_f (s + s′), s how fast it slips."""
+        push, rub = (before.ask("impulse", self.name, component=part) for part in "nf")
+        came, went = self.closing(before, after)
+        lost = push * (came - went) - rub * (self.slip(before) + self.slip(after))
+        gains = f"{spoken(self.struck.owner)} would gain energy, which no blow gives, in"
+        return Requirement(self.name, GAINS, lost, ZERO, "", gains)

@@ -497,6 +497,10 @@ class Event(Element, frozen=True):
         """What comes together in it, bodies and what is fixed."""
         return ()
 
+    def passive(self, before: Moment, after: Moment) -> Iterator[Requirement]:
+        """That it gives no energy, where that is not so by itself once other blows act with it."""
+        return iter(())
+
     def of_centres(self) -> Event:
         """The same event as if bodies met with their centres of mass."""
         return self

@@ -435,6 +435,12 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         .replace("restitution: 0.5", "restitution: 0.5, friction: 0.2"),
         DROPPED.replace("restitution: 0.5", "restitution: 0.5, friction: 0.2").replace("0 deg", "-60 deg"),
     ),
+    "two coefficients in a blow": (
+        (HINGED % ("", "0", "") + "find: {x: rod.angular_velocity at after}\n").replace(
+            "friction: mu", "friction: {static: mu, kinetic: 0.1}"
+        ),
+        (HINGED % ("", "0", "") + "find: {x: rod.angular_velocity at after}\n").replace("mu: 0.2", "mu: 2"),
+    ),
     "slip that turns back": (
         HINGED % ("", "0.5", "") + "find: {x: rod.angular_velocity at after}\n",
         HINGED.replace("mu: 0.2", "mu: 0.2, J: unknown")
