@@ -13,7 +13,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Number, Product, Quotient, Symbol
-from rotsolve.algebra.units.dimension import ANGLE, word_of
+from rotsolve.algebra.units.dimension import ANGLE, NONE, word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Words
@@ -171,16 +171,25 @@ class Results(Struct, frozen=True):
         said: list[str | Formula] = []
         for small, large in pairs:
             said += [" and " if said else "", Symbol(small), " ≪ ", Symbol(large)]
-        term = leading_order(found.formula, pairs, self.search.signs.positive)
+        given = {given.name: given.dimension for given in self.search.givens.values()}
+        told = {name: value for name, value in self.search.signs.values.items() if name in found.formula.symbols()}
+        plain = {name: value for name, value in told.items() if given.get(name) == NONE}
+        form = found.formula
+        term = leading_order(form, pairs, self.search.signs.positive)
+        if term is not None and is_zero(term.substitute(told)):  # 1 − e of an elastic blow
+            form = form.substitute(plain)
+            term = leading_order(form, pairs, self.search.signs.positive)
         if term is None:
             return ("no leading term is found for ", *said)
-        if is_zero(term - found.formula):
+        if is_zero(term - form):
             return ()
+        if is_zero(term.substitute(told)):
+            return ("no leading term in letters holds with these numbers for ", *said)
         number, exact = (
             self.value(side / (unit.factor if unit is not None else ONE)) for side in (term, found.formula)
         )
         if number is not None and exact is not None and abs(number.float - exact.float) > FAR_OFF * abs(exact.float):
-            return ("with these numbers no leading term is near it for ", *said)
+            return ("no leading term in letters holds with these numbers for ", *said)
         worth: Words = ()
         if number is not None and not isinstance(term, Number):
             worth = (f" = {(unit.after if unit is not None else str)(number.text(DIGITS_OF_LEADING))}",)

@@ -75,9 +75,20 @@ def test_what_leaves_nothing_out_is_refused() -> None:
         solve(scene + "find: {x: disc.inertia}\n")
 
 
+@pytest.mark.parametrize("numbers", ["m: kg, M: kg, u: m/s", "m: 1 g, M: 1 kg, u: 1 m/s"])
+def test_a_number_that_makes_a_leading_term_vanish_is_put_in(numbers: str) -> None:
+    """u (1 − e) of an elastic blow on what is heavy is nothing, and the next term 2 m u/M tells."""
+    told = HIT.replace("E", "1").replace("m: kg, M: kg, u: m/s", numbers) + "find: {x: u + one.velocity at B}\n"
+    assert "≈ 2 m u/M" in solve(told).to("text", width=200)
+
+
 def test_a_leading_term_that_vanishes_with_the_numbers_is_not_told() -> None:
-    text = solve(
-        HIT.replace("E", "1").replace("m: kg, M: kg, u: m/s", "m: 1 g, M: 1 kg, u: 1 m/s")
-        + "find: {x: u + one.velocity at B}\n"
-    )
-    assert "no leading term is near it" in text.to("text", width=200)
+    """g (M − N)/(M + N) of two loads that are equal by their numbers."""
+    text = """title: t
+assume: [d << M]
+given: {M: 2 kg, d: kg, N: 2 kg, R: 10 cm}
+bodies: {A: {mass: M + d, moves: down}, B: {mass: N, moves: up}, wheel: {mass: 0, radius: R}}
+connections: {stud: {axle: wheel}, cord: {string: [B, wheel, A]}}
+find: {a: A.acceleration}
+"""
+    assert "no leading term in letters holds with these numbers" in solve(text).to("text", width=200)
