@@ -194,8 +194,11 @@ def check_exclusive(scope: Scope, name: str, entries: Entries, fields: dict[str,
     if varies and "holes" in entries:
         message = f"`{name}` has holes and a density that varies"
         scope.fault(entries["holes"][0], message, "give the limits of what is left as a `lamina`", "form")
+    if varies and "count" in entries:
+        message = f"`{name}` stands for several alike, and has a density that varies"
+        scope.fault(entries["count"][0], message, "write a body for each", "form")
     both = "density" in entries and "mass" in entries
-    if both and (scope.space or not whole or "holes" in entries):
+    if both and (scope.space or not whole or "holes" in entries or "count" in entries):
         scope.fault(entries["density"][0], f"`{name}` has both `mass` and `density`", "give one of them", "form")
     elif both:
         from rotsolve.scene.coordinates import told_by_both

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.formula import ZERO, add, negate
-from rotsolve.core.drive import TURNING
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.formula import ZERO, Formula, add, negate
+from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.core.equation import RULE, Equation
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import is_key
+from rotsolve.core.letters import letters_of
+from rotsolve.core.symbols import TIME, is_key
 from rotsolve.core.vectors.triple import NOTHING, Triple, Z, cross_product, dot_product, rotated, scaled_by, way_between
 from rotsolve.core.writing import spoken
 from rotsolve.language.bodies import PointRef
@@ -35,6 +37,7 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
     going = going_round(name, moment)
     if going == NOTHING:
         return
+    refuse_growing(name, moment, pushes)
     told = {action.name: action for action in pushes.actions if not isinstance(action.strength(), str)}
     for push in (push for push in acting if push.owner in told and push.axes == IN_SPACE):
         for vector in (push.force, push.couple):
@@ -46,6 +49,26 @@ def refuse_passing(name: str, moment: SpaceMoment, pushes: Pushes, acting: Seque
         message = f"the weight of `{name}` keeps its direction while that goes round: `{moment.when}` is not steady"
         help = "where it stays at rest write `balance: true` in place of `steady: true`"
         raise Unsolvable(message, span=moment.state.span, help=help)
+
+
+def refuse_growing(name: str, moment: SpaceMoment, pushes: Pushes) -> None:
+    """Refuse a steady state of what goes round while what acts on it, or the acceleration of what carries it, changes in time."""
+    for action in pushes.actions:
+        refs = action.touches()
+        if TIME in letters_of(action) and any(ref.owner == name for ref in refs):
+            message = f"`{action.name}` changes in time while `{name}` goes round: `{moment.when}` is not steady"
+            raise Unsolvable(message, span=refs[0].span, help="leave `steady: true` out")
+    for body in moment.held.bodies.values():
+        for word, _, told in body.moved:
+            rates = 3 - TRAVELLING.index(word) if word in TRAVELLING else 0
+            if rates and not moment.held.vanishes(rate_of_change(told, rates)):
+                message = f"the acceleration of `{body.name}` changes in time while `{name}` goes round: `{moment.when}` is not steady"
+                raise Unsolvable(message, span=body.span, help="leave `steady: true` out")
+
+
+def rate_of_change(told: Formula, times: int) -> Formula:
+    """The derivative by time, so many times over."""
+    return rate_of_change(differentiate(told, TIME), times - 1) if times else told
 
 
 def refuse_left(first: SpaceMoment, last: SpaceMoment) -> None:

@@ -72,3 +72,15 @@ def test_a_density_that_would_be_negative_is_none() -> None:
         solve(
             f"title: t\n{given}bodies: {{b: {{shape: disc, radius: R, mass: M, density: a + k*r}}}}\nfind: {{k: k}}\n"
         )
+
+
+@pytest.mark.parametrize(
+    ("told", "said"),
+    [("density: q*r", "stands for several alike"), ("mass: 5 kg, density: q", "has both `mass` and `density`")],
+)
+def test_what_stands_for_several_alike_has_one_of_both(told: str, said: str) -> None:
+    """The mass would be that of each, its density that of one or of all."""
+    body = f"{{shape: disc, radius: R, count: 2, {told}}}"
+    text = f"title: t\ngiven: {{R: 20 cm, q: 300 kg/m^3}}\nbodies: {{two: {body}}}\nfind: {{x: two.inertia}}\n"
+    with pytest.raises(SceneError, match=said):
+        solve(text)
