@@ -36,4 +36,6 @@ def test_a_force_that_grows() -> None:
 @pytest.mark.parametrize("led", ["acceleration: [0, 0, -a]", "velocity: [0, 0, v - a*time]"])
 def test_a_lift_of_constant_acceleration(led: str) -> None:
     """I₁ cos θ P² − I₃ s P + M (g + a) l = 0, the smaller root."""
-    assert solve(TOP.replace("LED", led)).answers["P"].float == pytest.approx(2.00512, rel=1e-5)
+    assert solve(TOP.replace("LED", led).replace("time: 0 s, ", "")).answers["P"].float == pytest.approx(
+        2.00512, rel=1e-5
+    )
