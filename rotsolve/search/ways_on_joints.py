@@ -64,7 +64,9 @@ def is_limit_sought(way: WayOnJoint, interval: Interval, search: Search) -> bool
     state or an event before: with the value that just gets it there."""
     problem, timeline = search.scene.configuration.problem, search.scene.configuration.timeline
     begun = timeline.order[interval.start]
-    events = tuple(event for event in problem.events if timeline.order[event.to] <= begun)
+    events = tuple(
+        event for event in problem.events if event.to in timeline.order and timeline.order[event.to] <= begun
+    )
     told = set(letters_of((events, tuple(state.conditions for state in timeline.states[: begun + 1]))))
     setting = told if open_(way.rate) else way.rate.symbols()
     return way.last == ZERO and not problem.sought.isdisjoint(setting)
