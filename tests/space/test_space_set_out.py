@@ -134,3 +134,18 @@ def test_the_rate_that_is_sought_is_that_with_which_it_just_gets_to_its_balance(
     with pytest.raises(Unsolvable, match="`up` is never reached from `down`"):
         told = text.replace("u: unknown", "g: 9.8 m/s^2, u: sqrt(3*g/L)")
         solve(told + "find: {F: pin.force at up}\n")
+
+
+def test_two_balls_hold_a_body_as_a_hinge_does() -> None:
+    text = HANGING.replace(
+        "{shape: rod, mass: M, length: L}", "{shape: rectangle, mass: M, sides: [L, 2*L], points: PLACES}"
+    )
+    text = text.replace("PLACES", "{A: [-L/2, -L, 0], B: [-L/2, L, 0], end: [L/2, 0, 0]}").replace(
+        "STANDS", "balance: true"
+    )
+    text = text.replace("{pin: {hinge: rod.start, along: y}}", "{p: {ball: rod.A}, q: {ball: rod.B}}").replace(
+        "TOP", "270"
+    )
+    found = solve(text.replace("RATE", "at rest: rod"))
+    assert found.answers["u"].float == pytest.approx(2 * (2 * 9.8 / 3) ** 0.5, rel=1e-12)
+    assert found.answers["w"].float == pytest.approx((6 * 9.8) ** 0.5, rel=1e-12)
