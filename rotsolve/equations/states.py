@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -19,6 +19,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.language.noted import unread
 from rotsolve.language.problem import COMES_TO, SETTLES, Condition, Path, State
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.flights import going_on_evenly
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
@@ -219,7 +220,8 @@ class Statements(Struct):
                     raise NotYet(str(error), error.span or condition.span, error.help) from None
             if state.balance or state.steady:
                 check_steady(state, self.fixed)
-                self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
+                going = going_on_evenly(state.name, self.configuration)
+                self._rest(state, Condition(None, rest=True, owner="all", span=state.span), going)
                 fix_balance(state.name, self.fixed)
         self._as_drawn(self.configuration.timeline.states[0].name)
         for state in self.configuration.timeline.states:
@@ -407,10 +409,10 @@ class Statements(Struct):
         instants = [(part, self.fixed.instant(part.start), self.fixed.instant(part.end)) for part in parts]
         return total([displacement_over(path, *ends) for ends in instants if ends[0].event is None])
 
-    def _rest(self, state: State, condition: Condition) -> None:
+    def _rest(self, state: State, condition: Condition, going: Collection[str] = ()) -> None:
         instant = self.fixed.instant(state.name)
         for body in self.configuration.present(state.name):
-            if condition.owner in ("all", "", body.name):
+            if condition.owner in ("all", "", body.name) and body.name not in going:
                 for rate in rates_of_body("velocity", instant, body.name):
                     self._claim(rate, ZERO, state.name, condition)
         for item in self.configuration.rides(state.name):

@@ -1,8 +1,12 @@
-"""Flights: what leaves a surface and goes on: from the state that says so the contact is gone, and no line leads its body any longer."""
+"""Flights: what leaves a surface and goes on: from the state that says so the contact is gone, and no line leads its body any longer.
+
+And what goes on evenly by itself while all else comes to a balance, as a ball that has struck.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -10,6 +14,9 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.events import Leaves
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import Condition, Problem, State
+
+if TYPE_CHECKING:
+    from rotsolve.motion.configuration import Configuration
 
 
 def with_flights(problem: Problem) -> Problem:
@@ -45,3 +52,15 @@ def unused(word: str, problem: Problem, made: Sequence[State | Event]) -> str:
 def owner_of(line: Condition) -> str:
     """The element of which a line says a word."""
     return line.path.owner if line.path is not None else line.owner
+
+
+def going_on_evenly(state: str, configuration: Configuration) -> frozenset[str]:
+    """The bodies that nothing holds or pushes at a state to which a motion leads: also in balance they go on as they went, a = 0."""
+    before = configuration.timeline.before(state)
+    if before is None or before.event is not None or configuration.timeline.at_rest(before):
+        return frozenset()
+    touched = {
+        ref.owner for item in configuration.acting(state) for ref in item.touches()
+    } & configuration.bodies.keys()
+    held = {configuration.host(owner, state) for owner in touched}
+    return frozenset(body.name for body in configuration.present(state) if body.name not in held)

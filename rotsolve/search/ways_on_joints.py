@@ -60,12 +60,16 @@ def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[
 
 
 def is_limit_sought(way: WayOnJoint, interval: Interval, search: Search) -> bool:
-    """Whether a state tells that a body comes to rest there, and a letter is sought by which it set out: with the value that just gets it
-    there."""
+    """Whether a state tells that a body comes to rest there, and a letter is sought by which it set out, its rate, or what is told of a
+    state or an event before: with the value that just gets it there."""
     problem, timeline = search.scene.configuration.problem, search.scene.configuration.timeline
-    states = timeline.states[: timeline.order[interval.start] + 1]
-    told = set(letters_of(tuple(state.conditions for state in states)))
-    return way.last == ZERO and open_(way.rate) and not problem.sought.isdisjoint(told)
+    begun = timeline.order[interval.start]
+    events = tuple(
+        event for event in problem.events if event.to in timeline.order and timeline.order[event.to] <= begun
+    )
+    told = set(letters_of((events, tuple(state.conditions for state in timeline.states[: begun + 1]))))
+    setting = told if open_(way.rate) else way.rate.symbols()
+    return way.last == ZERO and not problem.sought.isdisjoint(setting)
 
 
 def only_sense(name: str, roots: Sequence[Formula], search: Search) -> int | None:

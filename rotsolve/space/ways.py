@@ -51,7 +51,8 @@ def ways_on_joints(scene: SpaceEquations, interval: Interval) -> Iterator[WayOnJ
 def joint_along(q: GeneralizedCoordinate, motions: MotionsInSpace) -> Joint | None:
     """The hinge or the slide along which a coordinate goes."""
     owner, held = key_of(q.letter.name).owner, motions.first.held
-    for joint in held.joints:
+    main = held.main(owner) if held.hinge_balls(owner) else None  # two balls hold a body as one hinge does
+    for joint in (*held.joints, *([] if main is None else [main])):
         hinged = bool(joint.turning) and not (joint.sliding or joint.free or joint.pitch) and joint.body.owner == owner
         if hinged or (joint.sliding and not (joint.turning or joint.pitch) and joint.owner == owner):
             return joint

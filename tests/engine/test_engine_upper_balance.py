@@ -136,3 +136,31 @@ def test_it_does_not_come_to_rest_up_there(name: str, turns: str) -> None:
     for g, there in ((0.97, False), (1.0, False), (1.03, True), (2.0, True)):
         case = holding(answer.answer, {**edge, "g": g * edge["g"]})
         assert (case is not None) == there, f"{answer} at {g} of the edge"
+
+
+STRUCK = """given: {M: 2 kg, L: 1 m, m: 1 kg, u: unknown, e: RATIO}
+bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: right}}
+connections: {pin: {hinge: rod.start}}
+states: {before: {rod.angle: -90 deg, at rest: rod, ball.velocity: u}, after: {}, up: {rod.angle: 90 deg, STANDS}}
+events: {hit: {collides: [ball, rod.end], restitution: e, from: before, to: after}}
+find: {u: u, w: rod.angular_velocity at after, V: ball.velocity at up}
+"""
+
+
+@pytest.mark.parametrize("ratio", [0.5, 1.0])
+@pytest.mark.parametrize("stands", ["balance: true", "at rest: rod"])
+def test_what_nothing_holds_goes_on_while_all_else_comes_to_its_balance(ratio: float, stands: str) -> None:
+    """By hand: ⅙ M L² w² = M g L, m u L = ⅓ M L² w + m v L, L w − v = e u; the ball goes on with v."""
+    solution = solve(STRUCK.replace("RATIO", str(ratio)).replace("STANDS", stands))
+    w = (6 * 9.8) ** 0.5
+    u = 5 / 3 * w / (1 + ratio)
+    assert solution.answers["w"].float == pytest.approx(w, rel=1e-12)
+    assert solution.answers["u"].float == pytest.approx(u, rel=1e-12)
+    assert solution.answers["V"].float == pytest.approx(w - ratio * u, rel=1e-12)
+    assert not any(item.holds is False for item in solution.derivation.confirmed)
+
+
+def test_what_is_pushed_is_not_in_balance() -> None:
+    text = STRUCK.replace("RATIO", "0.5").replace("STANDS", "balance: true")
+    with pytest.raises(Unsolvable, match="Newton's second law, ball"):
+        solve(text + "actions: {push: {force: 2 N, on: ball, direction: right}}\n")

@@ -98,3 +98,54 @@ def test_a_letter_for_a_rate_to_which_the_motion_comes() -> None:
     assert found.answers["K"].float is not None
     assert found.answers["n"].float is not None
     assert found.answers["n"].float > 0
+
+
+HANGING = """up: z
+given: {M: 2 kg, L: 1 m, u: unknown}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: rod.start, along: y}}
+states: {down: {rod.angle: 90 deg, RATE}, struck: {}, up: {rod.angle: TOP deg, STANDS}}
+events: {hit: {impulse: u, on: rod.end, direction: -x, from: down, to: struck}}
+find: {u: u, w: rod.angular_velocity.y at struck}
+"""
+
+
+@pytest.mark.parametrize("stands", ["balance: true", "rod.angular_velocity: 0 rad/s"])
+@pytest.mark.parametrize("sense", [1, -1])
+def test_the_blow_that_is_sought_is_that_with_which_it_just_gets_to_its_balance(stands: str, sense: int) -> None:
+    """By hand: ⅙ M L² ω² = M g L, u L = ⅓ M L² ω."""
+    text = HANGING.replace("RATE", "at rest: rod").replace("TOP", f"{90 + 180 * sense}").replace("STANDS", stands)
+    found = solve(text)
+    assert found.answers["u"].float == pytest.approx(sense * 2 * (2 * 9.8 / 3) ** 0.5, rel=1e-12)
+    assert found.answers["w"].float == pytest.approx(sense * (6 * 9.8) ** 0.5, rel=1e-12)
+    told = text.replace("u: unknown", f"g: 9.8 m/s^2, u: {sense}*sqrt(2/3*g*L)*M")  # with that it comes ever nearer
+    with pytest.raises(Unsolvable, match="`up` is never reached from `struck`"):
+        solve(told[: told.index("find")] + "find: {F: pin.force at up}\n")
+
+
+@pytest.mark.parametrize("asked", ["u", "largest u"])
+def test_the_rate_that_is_sought_is_that_with_which_it_just_gets_to_its_balance(asked: str) -> None:
+    """By hand: ⅙ M L² w² = ½ M g L from the level."""
+    text = HANGING[: HANGING.index("events")].replace("angle: 90 deg, RATE", "angle: 180 deg, rod.angular_velocity: u")
+    text = text.replace("struck: {}, ", "").replace("TOP", "270").replace("STANDS", "balance: true")
+    found = solve(text + f"find: {{u: {asked}, F: pin.force.x at down}}\n")
+    assert found.answers["u"].float == pytest.approx((3 * 9.8) ** 0.5, rel=1e-12)
+    assert found.answers["F"].float == pytest.approx(29.4, rel=1e-12)  # ½ M L w², towards the hinge at +x
+    with pytest.raises(Unsolvable, match="`up` is never reached from `down`"):
+        told = text.replace("u: unknown", "g: 9.8 m/s^2, u: sqrt(3*g/L)")
+        solve(told + "find: {F: pin.force at up}\n")
+
+
+def test_two_balls_hold_a_body_as_a_hinge_does() -> None:
+    text = HANGING.replace(
+        "{shape: rod, mass: M, length: L}", "{shape: rectangle, mass: M, sides: [L, 2*L], points: PLACES}"
+    )
+    text = text.replace("PLACES", "{A: [-L/2, -L, 0], B: [-L/2, L, 0], end: [L/2, 0, 0]}").replace(
+        "STANDS", "balance: true"
+    )
+    text = text.replace("{pin: {hinge: rod.start, along: y}}", "{p: {ball: rod.A}, q: {ball: rod.B}}").replace(
+        "TOP", "270"
+    )
+    found = solve(text.replace("RATE", "at rest: rod"))
+    assert found.answers["u"].float == pytest.approx(2 * (2 * 9.8 / 3) ** 0.5, rel=1e-12)
+    assert found.answers["w"].float == pytest.approx((6 * 9.8) ** 0.5, rel=1e-12)

@@ -138,7 +138,8 @@ class Course:
         model = self.model(state.name)
         event = self.event(self.names[number - 1], state.name) if number else None
         if event is None and (number == 0 or state.balance or state.steady):
-            return self._met(self._alone(model), number)
+            alone = self._met(self._alone(model), number)
+            return self._gone_on(alone, number) if number and not self.states[number - 1].stands else alone
         before = self.node(self.names[number - 1])
         if event is not None:
             return self._struck(before, event, model, state)
@@ -185,6 +186,12 @@ class Course:
             if timed or not (self.event(self.names[number - 1], name) if number else None):
                 raise
             return self.node(name)
+
+    def _gone_on(self, node: Node, number: int) -> Node:
+        """A balance to which a motion leads: what nothing holds there goes on evenly."""
+        from rotsolve.confirm.course.settling import as_it_went
+
+        return as_it_went(node, self.node(self.names[number - 1]))
 
     def _met(self, node: Node, number: int) -> Node:
         """The first state right before an event that joins bodies: what flies towards the others is where they meet."""

@@ -53,5 +53,18 @@ def settled(at: Node) -> Node | None:
     raise NotConfirmed(f"nothing tells where it is in balance at `{at.model.acting.state.name}`")
 
 
+def as_it_went(at: Node, before: Node) -> Node:
+    """An instant in balance at which what nothing holds or pushes, and nothing has been joined to, is as fast as it was before."""
+    acting = at.model.acting
+    refs = [ref for item in (*acting.connections, *acting.actions) for ref in item.touches()]
+    refs += [ref for event in acting.joined() for ref in event.joined()]
+    free = at.model.seats.keys() & before.model.seats.keys() - {ref.owner for ref in refs}
+    speed = list(at.placed.speed)
+    for name in free:
+        own, earlier = at.model.seats[name], before.model.seats[name]
+        speed[own.first : own.turn + 1] = before.placed.speed[earlier.first : earlier.turn + 1]
+    return Node(at.model, replace(at.placed, speed=speed), at.budget) if speed != list(at.placed.speed) else at
+
+
 def largest(values: Sequence[float]) -> float:
     return max(map(abs, values), default=0.0)
