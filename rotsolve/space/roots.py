@@ -65,12 +65,28 @@ def chosen(
     if len(real) == 1 or all(numbers.side(roots[index] - roots[real[0]]) == 0 for index in real[1:]):
         return PickedRoot(real[0])
     word = key.component if key.component in EXTREMES else word_told(key.owner, key.when, scene)
+    worth: Formula = Symbol(name)
+    if not word:
+        word, worth = extreme_asked(name, scene, numbers)
     if not word:
         problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
         raise Unsolvable(SEVERAL, span=span, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
-    signs = [-1 if word == "largest" else 1] * len(real)
-    index = real[numbers.least([sign * roots[k] for sign, k in zip(signs, real, strict=True)])]
+    sign = -1 if word == "largest" else 1
+    index = real[numbers.least([sign * worth.substitute({name: roots[k]}) for k in real])]
     return PickedRoot(index, (f"the {'smaller' if word == 'smallest' else 'larger'} of both",))
+
+
+def extreme_asked(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[str, Formula]:
+    """`smallest` or `largest`, as a question has it for a letter of the scene that hangs on a rate, with what that is by it; '' where
+    none, or more than one, is asked."""
+    asked = {given.name for given in scene.configuration.problem.givens if given.asked}
+    found: dict[tuple[str, Formula], None] = {}
+    for find in scene.configuration.problem.finds:
+        if find.modifier in EXTREMES and isinstance(find.formula, Symbol) and find.formula.name in asked:
+            worth = numbers.with_answers(find.formula)
+            if name in worth.symbols():
+                found[find.modifier, worth] = None
+    return next(iter(found)) if len(found) == 1 else ("", Symbol(name))
 
 
 def refuse_unnumbered(
