@@ -31,7 +31,7 @@ TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with h
 SIGNED = ("angular_velocity", "velocity", "nutation", "spin", "axial_rate")  # rates that tell by their signs which way
 COMES_BACK = {"largest": -1, "smallest": 1}  # the sense in which a body turns from where it has turned farthest
 SEVERAL = "two steady motions are possible, and nothing tells which is meant"
-HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `{}.precession: smallest`"
+HELP = "ask for the `smallest` or `largest` of it, one of them in a scene, or say it in the state: `{}.precession: smallest`"
 
 
 def chosen(
@@ -72,8 +72,9 @@ def chosen(
         problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
         raise Unsolvable(SEVERAL, span=span, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
     sign = -1 if word == "largest" else 1
-    index = real[numbers.least([sign * worth.substitute({name: roots[k]}) for k in real])]
-    return PickedRoot(index, (f"the {'smaller' if word == 'smallest' else 'larger'} of both",))
+    place = numbers.least([sign * worth.substitute({name: roots[k]}) for k in real])
+    least = place == numbers.least([roots[k] for k in real])  # a letter may be smallest where the rate is the larger one
+    return PickedRoot(real[place], (f"the {'smaller' if least else 'larger'} of both",))
 
 
 def extreme_asked(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[str, Formula]:
