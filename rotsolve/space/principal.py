@@ -277,15 +277,8 @@ def principal_moment(told: Told, number: int, path: Path) -> Formula:
     """The first, second or third of them, from the smallest on."""
     roots = principal(told, path)
     one = rising_order(told, roots, path)[number - 1]
-    if not roots.rising:
-        refuse_doubtful(told, pairs_with(roots, one), path)
+    refuse_doubtful(told, roots, others_than(one), path)
     return roots.found[one][0]
-
-
-def pairs_with(roots: Roots, one: int) -> list[tuple[Formula, Formula]]:
-    """A moment with each of both others."""
-    moments = [moment for moment, _ in roots.found]
-    return [(moments[one], other) for place, other in enumerate(moments) if place != one]
 
 
 def rising_order(told: Told, roots: Roots, path: Path) -> list[int]:
@@ -340,12 +333,29 @@ def told_by_kind(found: list[Found], one: int, other: int, worked_out: Spelled) 
     return None if ratio == ONE or ratio.symbols() else evaluate(ratio - ONE, {}, digits=8).sign
 
 
-def refuse_doubtful(told: Told, pairs: Iterable[tuple[Formula, Formula]], path: Path) -> None:
+def refuse_doubtful(told: Told, roots: Roots, pairs: Iterable[tuple[int, int]], path: Path) -> None:
     """Refuse moments of which no precision tells whether they are equal: what an axis of theirs is hangs on that."""
-    if any(told.doubtful(one - other) for one, other in pairs):
+    if not roots.rising and any(in_doubt(told, roots.found, *pair) for pair in pairs):
         message = f"`{path_text(path)}`: two principal moments are equal, or nearly: no precision tells which"
         help = "write what is alike by one letter, as angles `u` and `u + 60 deg`, or ask for `inertia_tensor`"
         raise NotYet(message, path.span, help)
+
+
+def in_doubt(told: Told, found: list[Found], one: int, other: int) -> bool:
+    """Whether nothing tells two moments apart; of one beside two that are nearly equal their mean tells, in which their root cancels."""
+    (first, _), (second, _), (third, _) = (found[place] for place in (one, other, 3 - one - other))
+    if not told.doubtful(first - second):
+        return False
+    for lone, near, far in ((first, second, third), (second, first, third)):
+        number = told.number(told.spelled(lone - (near + far) / 2))
+        if number is not None and number.sign and told.doubtful(near - far):
+            return False
+    return True
+
+
+def others_than(one: int) -> list[tuple[int, int]]:
+    """The places of a moment and of each of both others."""
+    return [(one, other) for other in range(3) if other != one]
 
 
 def numbered_axis(told: Told, number: int, path: Path) -> tuple[Formula, Triple]:
@@ -360,8 +370,8 @@ def numbered_axis(told: Told, number: int, path: Path) -> tuple[Formula, Triple]
         from rotsolve.space.principal_letters import square_to_rows
 
         return moment, square_to_rows(told, moment, number)
-    refuse_doubtful(told, pairs_with(roots, one), path)
-    if way is None or any(told.vanishes(moment - other) for _, other in pairs_with(roots, one)):
+    refuse_doubtful(told, roots, others_than(one), path)
+    if way is None or any(told.vanishes(moment - roots.found[other][0]) for _, other in others_than(one)):
         message = f"`{path_text(path)}`: two principal moments are equal, and all lines in a plane are axes of theirs"
         raise NotYet(message, path.span, f"ask for the axis of the third: `{path.owner}.principal_axis`")
     return moment, way
@@ -379,6 +389,5 @@ def lone_axis(told: Told, path: Path) -> tuple[Formula, Triple]:
         alone = way is not None and not any(nothing(moment - other) for other in others)
         if way is not None and alone and nothing(others[0] - others[1]):
             return moment, way
-    if not roots.rising:
-        refuse_doubtful(told, combinations([moment for moment, _ in roots.found], 2), path)
+    refuse_doubtful(told, roots, combinations(range(3), 2), path)
     raise NotYet(f"`{path_text(path)}`: no principal moment stands alone beside two that are equal", path.span)

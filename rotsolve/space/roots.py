@@ -73,7 +73,9 @@ def chosen(
         raise Unsolvable(SEVERAL, span=span, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
     sign = -1 if word == "largest" else 1
     place = numbers.least([sign * worth.substitute({name: roots[k]}) for k in real])
-    least = place == numbers.least([roots[k] for k in real])  # a letter may be smallest where the rate is the larger one
+    least = place == numbers.least(
+        [roots[k] for k in real]
+    )  # a letter may be smallest where the rate is the larger one
     return PickedRoot(real[place], (f"the {'smaller' if least else 'larger'} of both",))
 
 
