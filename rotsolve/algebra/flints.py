@@ -10,6 +10,7 @@ import importlib
 import importlib.util
 import sys
 from types import ModuleType
+from typing import Any
 
 
 def _load(names: tuple[str, ...]) -> list[ModuleType]:
@@ -39,3 +40,8 @@ arb = _arb.arb
 acb = _acb.acb
 fmpz_mpoly = _mpoly.fmpz_mpoly
 fmpz_mpoly_ctx = _mpoly.fmpz_mpoly_ctx
+
+
+def univariate() -> Any:
+    """The type of polynomials in one letter, loaded where it is asked for: few scenes need it."""
+    return _load(("types.fmpz_poly",))[0].fmpz_poly

@@ -8,7 +8,7 @@ longer than a line, moments and axes go by letters that are worked out one by on
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ from rotsolve.algebra.certified.ball import Certified, decided_by_size, evaluate
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import Fractions, coefficients, degree, is_zero, simplify
 from rotsolve.algebra.exact.order import LINE, length
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, negate, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, add, negate, sqrt
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.facts import square
 from rotsolve.core.vectors.tensor import ENTRIES, InertiaTensor
@@ -71,6 +71,15 @@ class Told(Struct, dict=True):
         """A formula with what its letters stand for."""
         return self.tensors.spelled(value)
 
+    def worked_out(self, value: Formula) -> Formula:
+        """A formula with what its letters stand for, and its integrals carried out."""
+        value = self.spelled(value)
+        if not value.holds(Integral):
+            return value
+        from rotsolve.algebra.calculus.integral import carried_out
+
+        return simplify(carried_out(value, self.tensors.positive), positive=self.tensors.positive)
+
     def number(self, value: Formula) -> Certified | None:
         """The number of a formula in these letters; None where one has none."""
         return self.tensors.number(value, self.signs)
@@ -80,13 +89,20 @@ class Told(Struct, dict=True):
         number = self.number(value)  # which costs less than to spell a long one out
         return value == ZERO or (not (number is not None and number.sign) and self.held.vanishes(self.spelled(value)))
 
+    def doubtful(self, value: Formula) -> bool:
+        """Whether a formula has a number that no precision tells from nothing, though it is not seen to be that."""
+        number = self.number(value)
+        if (number is not None and number.sign is not None) or self.vanishes(value):
+            return False
+        return self.signs.trials.keys() >= set(self.signs.lacking(self.spelled(value)))
+
     def side(self, gap: Formula) -> int | None:
         """The sign of a difference, of a long tensor by its numbers alone."""
         number = self.number(gap) if self.long else None
         if number is not None and number.sign:
             decided_by_size()
             return number.sign
-        value = self.spelled(gap)
+        value = self.worked_out(gap)
         sign = self.signs.decide(value)
         return self.signs.whatever_way(value) if sign is None else sign
 
@@ -260,7 +276,9 @@ def less_moment(rows: Sequence[Triple], moment: Formula, spelled: Spelled) -> li
 def principal_moment(told: Told, number: int, path: Path) -> Formula:
     """The first, second or third of them, from the smallest on."""
     roots = principal(told, path)
-    return roots.found[rising_order(told, roots, path)[number - 1]][0]
+    one = rising_order(told, roots, path)[number - 1]
+    refuse_doubtful(told, roots, others_than(one), path)
+    return roots.found[one][0]
 
 
 def rising_order(told: Told, roots: Roots, path: Path) -> list[int]:
@@ -272,9 +290,7 @@ def rising_order(told: Told, roots: Roots, path: Path) -> list[int]:
     for one in range(len(moments)):
         place = 0
         while place < len(ordered):
-            sign = None if told.long else told_by_kind(roots.found, one, ordered[place], told.spelled)
-            sign = told.side(moments[one] - moments[ordered[place]]) if sign is None else sign
-            sign = told_by_kind(roots.found, one, ordered[place], told.spelled) if sign is None and told.long else sign
+            sign = which_larger(told, roots.found, one, ordered[place])
             if sign is None:
                 help = "give numbers to the letters, or ask for `inertia_tensor`"
                 raise NotYet(
@@ -287,7 +303,23 @@ def rising_order(told: Told, roots: Roots, path: Path) -> list[int]:
     return ordered
 
 
-def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> int | None:
+def which_larger(told: Told, found: list[Found], one: int, other: int) -> int | None:
+    """The sign of the difference of two moments, by their kind or by their letters and numbers; None where nothing tells."""
+
+    def by_side() -> int | None:
+        return told.side(found[one][0] - found[other][0])
+
+    def by_kind() -> int | None:
+        return told_by_kind(found, one, other, told.worked_out)
+
+    signs = (way() for way in ((by_side, by_kind) if told.long else (by_kind, by_side)))
+    sign = next((sign for sign in signs if sign is not None), None)
+    if sign is not None or found[other][0] == ZERO:
+        return sign
+    return told.signs.decide(told.worked_out(found[one][0] / found[other][0]) - ONE)  # what has no number may cancel
+
+
+def told_by_kind(found: list[Found], one: int, other: int, worked_out: Spelled) -> int | None:
     """Which of two moments is larger whatever the letters are: the second by a root of two, the sum of both others, as of a lamina, one
     that is a number of times the other."""
     third = 3 - one - other
@@ -295,12 +327,35 @@ def told_by_kind(found: list[Found], one: int, other: int, spelled: Spelled) -> 
     if third == 0 and found[2][1] is not None and found[2][1] not in WAYS.values():
         return 1 if one == 2 else -1
     for larger, smaller, sign in ((one, other, 1), (other, one, -1)):
-        if is_zero(spelled(moments[larger] - moments[smaller] - moments[third])):
+        if is_zero(worked_out(moments[larger] - moments[smaller] - moments[third])):
             return sign
-    ratio = ONE if moments[other] == ZERO else spelled(moments[one] / moments[other])  # no moment is negative
-    if ratio == ONE or ratio.symbols():
-        return None
-    return 1 if evaluate(ratio - ONE, {}).float > 0 else -1
+    ratio = ONE if moments[other] == ZERO else worked_out(moments[one] / moments[other])  # no moment is negative
+    return None if ratio == ONE or ratio.symbols() else evaluate(ratio - ONE, {}, digits=8).sign
+
+
+def refuse_doubtful(told: Told, roots: Roots, pairs: Iterable[tuple[int, int]], path: Path) -> None:
+    """Refuse moments of which no precision tells whether they are equal: what an axis of theirs is hangs on that."""
+    if not roots.rising and any(in_doubt(told, roots.found, *pair) for pair in pairs):
+        message = f"`{path_text(path)}`: two principal moments are equal, or nearly: no precision tells which"
+        help = "write what is alike by one letter, as angles `u` and `u + 60 deg`, or ask for `inertia_tensor`"
+        raise NotYet(message, path.span, help)
+
+
+def in_doubt(told: Told, found: list[Found], one: int, other: int) -> bool:
+    """Whether nothing tells two moments apart; of one beside two that are nearly equal their mean tells, in which their root cancels."""
+    (first, _), (second, _), (third, _) = (found[place] for place in (one, other, 3 - one - other))
+    if not told.doubtful(first - second):
+        return False
+    for lone, near, far in ((first, second, third), (second, first, third)):
+        number = told.number(told.spelled(lone - (near + far) / 2))
+        if number is not None and number.sign and told.doubtful(near - far):
+            return False
+    return True
+
+
+def others_than(one: int) -> list[tuple[int, int]]:
+    """The places of a moment and of each of both others."""
+    return [(one, other) for other in range(3) if other != one]
 
 
 def numbered_axis(told: Told, number: int, path: Path) -> tuple[Formula, Triple]:
@@ -315,8 +370,8 @@ def numbered_axis(told: Told, number: int, path: Path) -> tuple[Formula, Triple]
         from rotsolve.space.principal_letters import square_to_rows
 
         return moment, square_to_rows(told, moment, number)
-    others = [other for place, (other, _) in enumerate(roots.found) if place != one]
-    if way is None or any(told.vanishes(moment - other) for other in others):
+    refuse_doubtful(told, roots, others_than(one), path)
+    if way is None or any(told.vanishes(moment - roots.found[other][0]) for _, other in others_than(one)):
         message = f"`{path_text(path)}`: two principal moments are equal, and all lines in a plane are axes of theirs"
         raise NotYet(message, path.span, f"ask for the axis of the third: `{path.owner}.principal_axis`")
     return moment, way
@@ -334,4 +389,5 @@ def lone_axis(told: Told, path: Path) -> tuple[Formula, Triple]:
         alone = way is not None and not any(nothing(moment - other) for other in others)
         if way is not None and alone and nothing(others[0] - others[1]):
             return moment, way
+    refuse_doubtful(told, roots, combinations(range(3), 2), path)
     raise NotYet(f"`{path_text(path)}`: no principal moment stands alone beside two that are equal", path.span)

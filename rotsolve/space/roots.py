@@ -31,7 +31,7 @@ TURNED = {"angular_velocity": "angle", "nutation": "tilt"}  # rates, each with h
 SIGNED = ("angular_velocity", "velocity", "nutation", "spin", "axial_rate")  # rates that tell by their signs which way
 COMES_BACK = {"largest": -1, "smallest": 1}  # the sense in which a body turns from where it has turned farthest
 SEVERAL = "two steady motions are possible, and nothing tells which is meant"
-HELP = "ask for the `smallest` or `largest` of it, or say it in the state: `{}.precession: smallest`"
+HELP = "ask for the `smallest` or `largest` of it, one of them in a scene, or say it in the state: `{}.precession: smallest`"
 
 
 def chosen(
@@ -65,12 +65,31 @@ def chosen(
     if len(real) == 1 or all(numbers.side(roots[index] - roots[real[0]]) == 0 for index in real[1:]):
         return PickedRoot(real[0])
     word = key.component if key.component in EXTREMES else word_told(key.owner, key.when, scene)
+    worth: Formula = Symbol(name)
+    if not word:
+        word, worth = extreme_asked(name, scene, numbers)
     if not word:
         problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
         raise Unsolvable(SEVERAL, span=span, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
-    signs = [-1 if word == "largest" else 1] * len(real)
-    index = real[numbers.least([sign * roots[k] for sign, k in zip(signs, real, strict=True)])]
-    return PickedRoot(index, (f"the {'smaller' if word == 'smallest' else 'larger'} of both",))
+    sign = -1 if word == "largest" else 1
+    place = numbers.least([sign * worth.substitute({name: roots[k]}) for k in real])
+    least = place == numbers.least(
+        [roots[k] for k in real]
+    )  # a letter may be smallest where the rate is the larger one
+    return PickedRoot(real[place], (f"the {'smaller' if least else 'larger'} of both",))
+
+
+def extreme_asked(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[str, Formula]:
+    """`smallest` or `largest`, as a question has it for a letter of the scene that hangs on a rate, with what that is by it; '' where
+    none, or more than one, is asked."""
+    asked = {given.name for given in scene.configuration.problem.givens if given.asked}
+    found: dict[tuple[str, Formula], None] = {}
+    for find in scene.configuration.problem.finds:
+        if find.modifier in EXTREMES and isinstance(find.formula, Symbol) and find.formula.name in asked:
+            worth = numbers.with_answers(find.formula)
+            if name in worth.symbols():
+                found[find.modifier, worth] = None
+    return next(iter(found)) if len(found) == 1 else ("", Symbol(name))
 
 
 def refuse_unnumbered(

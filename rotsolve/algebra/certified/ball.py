@@ -306,8 +306,11 @@ def multiple_of(number: Certified, factor: Formula) -> Certified:
 
 def _zero(f: Formula, values: Values) -> bool:
     """Whether the value is exactly zero."""
+    from rotsolve.algebra.exact.cyclotomic import vanishes_by_turns
+
     try:
-        return is_zero(with_values(f, values))
+        value = with_values(f, values)
+        return is_zero(value) or vanishes_by_turns(value)
     except ZeroDivisionError as error:
         raise Undefined("division by zero") from error
 
