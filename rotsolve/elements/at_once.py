@@ -11,6 +11,7 @@ from rotsolve.core.facts import MEETS, PUSHES, Couple, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.core.writing import and_joined, spoken
+from rotsolve.elements.collisions import Bounces
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Event, Moment
 
@@ -50,7 +51,7 @@ class AtOnce(Event, frozen=True):
             yield from item.needs(before, after)
         for item in hits:
             yield from pushing(item, before, after)
-            yield from item.passive(before, after)
+            yield from (item.passive(before, after) if isinstance(item, Bounces) else ())
 
     def no_torque(self, instant: Moment) -> str:
         return "the blows there have no arm"

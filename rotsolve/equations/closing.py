@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Any, Protocol
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector, cartesian
 from rotsolve.core.writing import and_joined
-from rotsolve.elements.connections.supports import Driven
+from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
 from rotsolve.language.noted import unread
 from rotsolve.language.problem import State
@@ -20,9 +21,19 @@ from rotsolve.paths.meaning import NotYet
 CLOSED = 0.005  # of the longest way from a place to a joint, by which told angles may be rounded
 
 
-def placed(items: Sequence[Connection]) -> list[Driven]:
+class Holder(Protocol):
+    """What holds bodies to the ground at a place."""
+
+    @property
+    def at(self) -> tuple[Formula, ...]: ...
+
+    def fixed_points(self) -> tuple[PointRef, ...]: ...
+
+
+def placed(items: Sequence[Connection]) -> list[Holder]:
     """What holds bodies to the ground at a place that the scene tells; to look is no use of it."""
-    return [item for item in items if isinstance(item, Driven) and ("at" in unread(item) or item.at)]
+    held: list[Any] = [item for item in items if item.guiding and item.fixed_points()]
+    return [item for item in held if "at" in unread(item) or getattr(item, "at", None)]
 
 
 def check_closed(state: State, instant: Instant) -> None:
@@ -54,7 +65,7 @@ def check_closed(state: State, instant: Instant) -> None:
 Gap = tuple[Vector, str, list[str], list[Formula]]
 
 
-def gaps_to_close(holders: Sequence[Driven], instant: Instant) -> Iterator[Gap]:
+def gaps_to_close(holders: Sequence[Holder], instant: Instant) -> Iterator[Gap]:
     """For each joint that closes a loop between told places how far apart its points would be; with the joint, the bodies that have a
     place by then, and how far these reach."""
     bodies = instant.configuration.bodies
@@ -77,7 +88,7 @@ def gaps_to_close(holders: Sequence[Driven], instant: Instant) -> Iterator[Gap]:
             where[instant.host(other.owner)] = there - instant.point(other)
 
 
-def others_linked(item: Driven, holders: Sequence[Driven], joints: Sequence[Connection], instant: Instant) -> bool:
+def others_linked(item: Holder, holders: Sequence[Holder], joints: Sequence[Connection], instant: Instant) -> bool:
     """Whether what an element holds is linked by joints to what another one holds at a told place."""
     group = {instant.host(ref.owner) for ref in item.fixed_points()}
     while more := {

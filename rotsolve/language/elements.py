@@ -235,8 +235,7 @@ class Connection(ActingElement, frozen=True):
     `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
     nothing that is fixed, `lays_first` one that names first what it lays on something, `rimmed` one that runs on the rims of wheels,
     `repeats` one that may name a body twice, `guiding` one by which a body is where another one takes it, `axial` an axis through the
-    centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that an event leaves as
-    they were.
+    centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that events leave.
     """
 
     words: ClassVar[tuple[str, ...]] = ()
@@ -260,8 +259,7 @@ class Connection(ActingElement, frozen=True):
                     f"`{self.word}` is solved for two bodies on one axle only", span=second.span, help=help
                 )
 
-    def holds_whatever_it_takes(self) -> bool:
-        """Whether it has friction to which nothing sets a limit."""
+    def holds_whatever_it_takes(self) -> bool:  # by friction to which nothing sets a limit
         return False
 
     def among(self, moving: Container[str]) -> Connection:
@@ -496,10 +494,6 @@ class Event(Element, frozen=True):
     def met(self) -> tuple[str, ...]:
         """What comes together in it, bodies and what is fixed."""
         return ()
-
-    def passive(self, before: Moment, after: Moment) -> Iterator[Requirement]:
-        """That it gives no energy, where that is not so by itself once other blows act with it."""
-        return iter(())
 
     def of_centres(self) -> Event:
         """The same event as if bodies met with their centres of mass."""

@@ -57,7 +57,7 @@ IN_PLANE = 100  # nodes of the three entries in a plane that are spelled out und
 PRODUCTS = {"x": ("xy", "zx"), "y": ("xy", "yz"), "z": ("zx", "yz")}
 
 
-class Told(Struct, dict=True):
+class ToldTensor(Struct, dict=True):
     """The tensor of a body about a point, of which principal moments and axes are told, in letters that `tensors` define."""
 
     tensor: InertiaTensor
@@ -124,47 +124,47 @@ class Told(Struct, dict=True):
         return self.tensors.part(self.name, self.spot, words, letter, index, value, dimension)
 
 
-class Roots(Struct):
+class PrincipalRoots(Struct):
     """The three moments with their axes; `rising` where they are those of a cubic, from the smallest on, each with an axis of its own."""
 
     found: list[Found]
     rising: bool = False
 
 
-def principal(told: Told, path: Path) -> Roots:
+def principal(told: ToldTensor, path: Path) -> PrincipalRoots:
     """The three moments with their axes, of a tensor whose letters are spelled out to see what vanishes or is alike."""
     tensor = told.tensor
     free = bare_axes(told)
     if len(free) == 3:
-        return Roots([(tensor.entry(axis * 2), WAYS[axis]) for axis in "xyz"])
+        return PrincipalRoots([(tensor.entry(axis * 2), WAYS[axis]) for axis in "xyz"])
     if free:
-        return Roots([(tensor.entry(free[0] * 2), WAYS[free[0]]), *in_plane(told, free[0])])
+        return PrincipalRoots([(tensor.entry(free[0] * 2), WAYS[free[0]]), *in_plane(told, free[0])])
     if all_alike(told):
         third = ONE / sqrt(3 * ONE)
         lone = simplify(add(tensor.xx, 2 * tensor.xy))
         other = simplify(add(tensor.xx, negate(tensor.xy)))
-        return Roots([(lone, (third, third, third)), (other, None), (other, None)])
+        return PrincipalRoots([(lone, (third, third, third)), (other, None), (other, None)])
     found = by_factors(told)
     if found:
-        return Roots(found)
+        return PrincipalRoots(found)
     from rotsolve.space.principal_letters import by_cubic
 
-    return Roots(by_cubic(told, path), rising=True)
+    return PrincipalRoots(by_cubic(told, path), rising=True)
 
 
-def bare_axes(told: Told) -> list[str]:
+def bare_axes(told: ToldTensor) -> list[str]:
     """The axes on which no product of inertia stands."""
     return [axis for axis in "xyz" if all(told.vanishes(told.tensor.entry(word)) for word in PRODUCTS[axis])]
 
 
-def all_alike(told: Told) -> bool:
+def all_alike(told: ToldTensor) -> bool:
     """Whether all three moments are the same, and all three products."""
     tensor = told.tensor
     gaps = (tensor.xx - tensor.yy, tensor.yy - tensor.zz, tensor.xy - tensor.yz, tensor.yz - tensor.zx)
     return all(map(told.vanishes, gaps))
 
 
-def in_plane(told: Told, axis: str) -> list[Found]:
+def in_plane(told: ToldTensor, axis: str) -> list[Found]:
     """The two moments across a principal axis, the smaller one first, with their axes: in closed form where that is at most a line."""
     from rotsolve.space.principal_letters import angle_in_plane, circle_in_plane
 
@@ -183,7 +183,7 @@ def within_line(parts: Sequence[Formula]) -> bool:
     return bool(parts) and max(map(length, parts)) <= LINE
 
 
-def closed_in_plane(told: Told, axis: str) -> list[tuple[Formula, Triple]]:
+def closed_in_plane(told: ToldTensor, axis: str) -> list[tuple[Formula, Triple]]:
     """In closed form: the axis of λ is along (I_ab, λ − I_a) in the plane across a principal axis."""
     spelled = told.spelled
     one, other, product = (told.tensor.entry(word) for word in BESIDE[axis])
@@ -199,7 +199,7 @@ def closed_in_plane(told: Told, axis: str) -> list[tuple[Formula, Triple]]:
     return found
 
 
-def by_factors(told: Told) -> list[Found]:
+def by_factors(told: ToldTensor) -> list[Found]:
     """The three moments by the factors of det (I − λ 1), a linear one first, with its axis where it is alone; none where there is none."""
     found: list[Found] = []
     rows = told_rows(told)
@@ -213,7 +213,7 @@ def by_factors(told: Told) -> list[Found]:
     return found if len(found) == 3 else []
 
 
-def told_rows(told: Told) -> list[Triple]:
+def told_rows(told: ToldTensor) -> list[Triple]:
     """The rows of a tensor, spelled out; none of one that is far too long for that."""
     spelled = told.spelled
     return (
@@ -250,7 +250,7 @@ def rising_roots(part: Formula, spelled: Spelled) -> list[Formula]:
     return [spelled(middle - root), spelled(middle + root)]
 
 
-def lone_way(told: Told, rows: list[Triple], moment: Formula, number: int) -> Triple | None:
+def lone_way(told: ToldTensor, rows: list[Triple], moment: Formula, number: int) -> Triple | None:
     """The axis of a moment that is alone: square to two rows of I − λ 1."""
     from rotsolve.space.principal_letters import square_to_rows
 
@@ -273,7 +273,7 @@ def less_moment(rows: Sequence[Triple], moment: Formula, spelled: Spelled) -> li
     ]
 
 
-def principal_moment(told: Told, number: int, path: Path) -> Formula:
+def principal_moment(told: ToldTensor, number: int, path: Path) -> Formula:
     """The first, second or third of them, from the smallest on."""
     roots = principal(told, path)
     one = rising_order(told, roots, path)[number - 1]
@@ -281,7 +281,7 @@ def principal_moment(told: Told, number: int, path: Path) -> Formula:
     return roots.found[one][0]
 
 
-def rising_order(told: Told, roots: Roots, path: Path) -> list[int]:
+def rising_order(told: ToldTensor, roots: PrincipalRoots, path: Path) -> list[int]:
     """The places of principal moments from the smallest on; refused where that hangs on letters."""
     if roots.rising:
         return [0, 1, 2]
@@ -303,7 +303,7 @@ def rising_order(told: Told, roots: Roots, path: Path) -> list[int]:
     return ordered
 
 
-def which_larger(told: Told, found: list[Found], one: int, other: int) -> int | None:
+def which_larger(told: ToldTensor, found: list[Found], one: int, other: int) -> int | None:
     """The sign of the difference of two moments, by their kind or by their letters and numbers; None where nothing tells."""
 
     def by_side() -> int | None:
@@ -333,7 +333,7 @@ def told_by_kind(found: list[Found], one: int, other: int, worked_out: Spelled) 
     return None if ratio == ONE or ratio.symbols() else evaluate(ratio - ONE, {}, digits=8).sign
 
 
-def refuse_doubtful(told: Told, roots: Roots, pairs: Iterable[tuple[int, int]], path: Path) -> None:
+def refuse_doubtful(told: ToldTensor, roots: PrincipalRoots, pairs: Iterable[tuple[int, int]], path: Path) -> None:
     """Refuse moments of which no precision tells whether they are equal: what an axis of theirs is hangs on that."""
     if not roots.rising and any(in_doubt(told, roots.found, *pair) for pair in pairs):
         message = f"`{path_text(path)}`: two principal moments are equal, or nearly: no precision tells which"
@@ -341,7 +341,7 @@ def refuse_doubtful(told: Told, roots: Roots, pairs: Iterable[tuple[int, int]], 
         raise NotYet(message, path.span, help)
 
 
-def in_doubt(told: Told, found: list[Found], one: int, other: int) -> bool:
+def in_doubt(told: ToldTensor, found: list[Found], one: int, other: int) -> bool:
     """Whether nothing tells two moments apart; of one beside two that are nearly equal their mean tells, in which their root cancels."""
     (first, _), (second, _), (third, _) = (found[place] for place in (one, other, 3 - one - other))
     if not told.doubtful(first - second):
@@ -358,7 +358,7 @@ def others_than(one: int) -> list[tuple[int, int]]:
     return [(one, other) for other in range(3) if other != one]
 
 
-def numbered_axis(told: Told, number: int, path: Path) -> tuple[Formula, Triple]:
+def numbered_axis(told: ToldTensor, number: int, path: Path) -> tuple[Formula, Triple]:
     """The first, second or third moment from the smallest on, with its axis.
 
     Refused where another moment equals it: any line across the third axis is one then.
@@ -377,7 +377,7 @@ def numbered_axis(told: Told, number: int, path: Path) -> tuple[Formula, Triple]
     return moment, way
 
 
-def lone_axis(told: Told, path: Path) -> tuple[Formula, Triple]:
+def lone_axis(told: ToldTensor, path: Path) -> tuple[Formula, Triple]:
     """The one moment that no other equals, and its axis."""
     roots = principal(told, path)
 

@@ -12,7 +12,7 @@ from rotsolve.core.writing import with_powers
 from rotsolve.space.principal import (
     BESIDE,
     MOMENT,
-    Told,
+    ToldTensor,
     all_alike,
     bare_axes,
     cubic_factors,
@@ -23,7 +23,7 @@ ROOT = Symbol("lambda")
 MOMENTS, PRODUCTS_OF = ENTRIES[:3], ENTRIES[3:]
 
 
-def in_factors(told: Told) -> Words:
+def in_factors(told: ToldTensor) -> Words:
     """det(I − λ 1) = 0 in factors, with what makes it so; nothing where the tensor is diagonal as it stands, where its cubic has no
     factors, or where the scene has a λ of its own."""
     tensor, free = told.tensor, bare_axes(told)
@@ -40,7 +40,7 @@ def in_factors(told: Told) -> Words:
     return (with_powers(reduce(multiply, each)), " = 0") if len(each) > 1 else ()
 
 
-def across_axis(told: Told, axis: str) -> Formula:
+def across_axis(told: ToldTensor, axis: str) -> Formula:
     """(I_c − λ) ((I_a − λ) (I_b − λ) − I_ab²); of long entries in their letters."""
     entries = [told.tensor.entry(word) for word in BESIDE[axis]]
     one, other, product = entries if told.long else map(told.spelled, entries)

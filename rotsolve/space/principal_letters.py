@@ -21,7 +21,7 @@ from rotsolve.core.facts import square
 from rotsolve.core.vectors.triple import Triple, cross_product, length_of, scaled_by, triple, vector_sum
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
-from rotsolve.space.principal import BESIDE, ROWS, WAYS, Found, Told, less_moment
+from rotsolve.space.principal import BESIDE, ROWS, WAYS, Found, ToldTensor, less_moment
 
 ALIKE = 1e-12
 PRINCIPAL = "principal moment of inertia, a root λ of det(I − λ 1) = 0"
@@ -38,7 +38,7 @@ Letters = tuple[Formula, Formula, Formula]
 # across an axis on which no product of inertia stands
 
 
-def circle_in_plane(told: Told, axis: str) -> tuple[Formula, Formula]:
+def circle_in_plane(told: ToldTensor, axis: str) -> tuple[Formula, Formula]:
     """I_m − R and I_m + R."""
     one, other, product = (told.tensor.entry(word) for word in BESIDE[axis])
     mean = told.part(MEAN_ACROSS.format(axis=axis), "I", "m", (one + other) / 2, KG_M2)
@@ -47,7 +47,7 @@ def circle_in_plane(told: Told, axis: str) -> tuple[Formula, Formula]:
     return add(mean, negate(half)), add(mean, half)
 
 
-def angle_in_plane(told: Told, axis: str) -> tuple[Triple, Triple]:
+def angle_in_plane(told: ToldTensor, axis: str) -> tuple[Triple, Triple]:
     """(−sin α, cos α) of the smaller moment and (cos α, sin α) of the larger one."""
     one, other, product = (told.tensor.entry(word) for word in BESIDE[axis])
     first, second = (word[0] for word in BESIDE[axis][:2])
@@ -63,7 +63,7 @@ def angle_in_plane(told: Told, axis: str) -> tuple[Triple, Triple]:
 # where no axis shows
 
 
-def by_cubic(told: Told, path: Path) -> list[Found]:
+def by_cubic(told: ToldTensor, path: Path) -> list[Found]:
     """The three moments from the smallest on, by letters for m, p and φ; refused where two are equal by numbers."""
     if nearly_alike(told):
         message = f"two principal moments of `{path.owner}` are equal, and no axis shows by its letters"
@@ -77,7 +77,7 @@ def by_cubic(told: Told, path: Path) -> list[Found]:
     return found
 
 
-def nearly_alike(told: Told) -> bool:
+def nearly_alike(told: ToldTensor) -> bool:
     """Whether numbers do not tell two principal moments apart: |cos 3φ| is 1 then, which no ball around it shows."""
     found = [told.number(told.tensor.entry(word)) for word in ("xx", "yy", "zz", "xy", "yz", "zx")]
     x, y, z, xy, yz, zx = (math.nan if number is None else number.float for number in found)
@@ -88,7 +88,7 @@ def nearly_alike(told: Told) -> bool:
     return spread < ALIKE * mean or abs(determinant) > 2 * (1 - ALIKE) * spread**3
 
 
-def parts_of_cubic(told: Told) -> Letters:
+def parts_of_cubic(told: ToldTensor) -> Letters:
     """Letters for m, p and φ."""
     tensor = told.tensor
     mean = told.part(MEAN, "I", "m", (tensor.xx + tensor.yy + tensor.zz) / 3, KG_M2)
@@ -101,7 +101,7 @@ def parts_of_cubic(told: Told) -> Letters:
     return mean, spread, angle
 
 
-def square_to_rows(told: Told, moment: Formula, number: int) -> Triple:
+def square_to_rows(told: ToldTensor, moment: Formula, number: int) -> Triple:
     """The axis of a moment that is alone, square to those two rows of I − λ 1 that are farthest from one line."""
     rows = [triple([told.tensor.entry(word) for word in words]) for words in ROWS]
     pairs = list(combinations(less_moment(rows, moment, lambda part: part), 2))
@@ -114,7 +114,7 @@ def square_to_rows(told: Told, moment: Formula, number: int) -> Triple:
     return triple([part / size for part in normal])
 
 
-def in_numbers(told: Told, pair: tuple[Triple, Triple]) -> float:
+def in_numbers(told: ToldTensor, pair: tuple[Triple, Triple]) -> float:
     """How long the vector product of two rows is; 0 where their letters have no numbers."""
     parts = [told.number(part) for part in cross_product(*pair)]
     return math.hypot(*(0.0 if part is None else part.float for part in parts))

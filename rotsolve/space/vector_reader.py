@@ -35,7 +35,7 @@ from rotsolve.space.supports import HELD
 from rotsolve.space.two_balls import letter_along
 
 if TYPE_CHECKING:
-    from rotsolve.space.principal import Told
+    from rotsolve.space.principal import ToldTensor
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
 
@@ -280,12 +280,12 @@ class VectorReader:
             return lone_axis(told, path)
         return numbered_axis(told, int(number), replace(path, component=number))
 
-    def of_roots(self, path: Path, term: Term) -> Told:
+    def of_roots(self, path: Path, term: Term) -> ToldTensor:
         """The tensor about the point that is asked, with what tells its principal moments and axes."""
-        from rotsolve.space.principal import Told
+        from rotsolve.space.principal import ToldTensor
 
         spot = (term.about.point if term.about else "") or ""
-        return Told(
+        return ToldTensor(
             self.tensor_about(path, term), self.dynamics.tensors, self.moment.signs, self.held, path.owner, spot
         )
 
