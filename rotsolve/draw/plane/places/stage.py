@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any, TypeVar, cast
 
+from msgspec.structs import replace
+
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import radius_of, side_of
 from rotsolve.confirm.instant import placed
@@ -26,11 +28,18 @@ from rotsolve.draw.plane.places.outlines import Value, spun, value_function
 from rotsolve.elements.connections.strings import String
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Connection
+from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 
 Decision = TypeVar("Decision")
 
 SIDE = 1.5  # from one thing to the next beside it, in the measure of the scene
+
+
+def shown(problem: Problem) -> Problem:
+    """The scene without the densities of bodies whose mass is told too: with numbers for a picture both need not agree."""
+    bodies = tuple(body if body.mass is None else replace(body, density=None) for body in problem.bodies)
+    return replace(problem, bodies=bodies)
 
 
 class PlaneStage:
@@ -44,7 +53,7 @@ class PlaneStage:
         longer: Mapping[str, float] | None = None,
     ) -> None:
         self.configuration, self.state = configuration, state
-        self.model = Model(configuration.problem, numbers, state)
+        self.model = Model(shown(configuration.problem), numbers, state)
         self.kinds = by_kind(self.model.acting.connections)
         self.value: Value = value_function({**numbers})
         self.sizes: Measures = scene_measures(self.model, self.kinds, self.value)
