@@ -175,13 +175,15 @@ def with_letters(parts: list[tuple[str, str]]) -> str:
 
 def with_literals(parts: list[tuple[str, str]]) -> str:
     """The scene with the values of all given angles and lengths in place of their letters; empty where there is none."""
-    values = {name: value for key, part in parts if key == "given" for name, value in GIVEN.findall(part)}
+    told = (found for key, part in parts if key == "given" for found in GIVEN.findall(part))
+    values = {name: value for name, value in told if name not in ("x", "y", "z")}  # which are directions, too
     if not values:
         return ""
     made = []
     for key, part in parts:
         if key == "given":
-            part = re.sub(r"\0 *, *|, *\0|\n *\0[^\n]*|\0", "", GIVEN.sub("\0", part))
+            gone = GIVEN.sub(lambda found: "\0" if found[1] in values else found[0], part)
+            part = re.sub(r"\0 *, *|, *\0|\n *\0[^\n]*|\0", "", gone)
             part = "" if re.fullmatch(r"given: *(\{\s*\})?\s*", part) else part
         elif key != "unknown":
             head, _, body = part.partition(":")
