@@ -11,7 +11,6 @@ from rotsolve.core.facts import MEETS, PUSHES, Couple, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.core.writing import and_joined, spoken
-from rotsolve.elements.collisions import Bounces
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Event, Moment
 
@@ -44,6 +43,8 @@ class AtOnce(Event, frozen=True):
 
     def needs(self, before: Moment, after: Moment) -> Iterator[Requirement]:
         """What each needs, and that each comes together and pushes: of several a hard one may take the push from another."""
+        from rotsolve.elements.collisions import Bounces
+
         hits = [item for item in self.parts if item.closing(before, after) is not None]
         for one, other in combinations(hits, 2):
             check_places_apart(one, other, before)

@@ -18,6 +18,7 @@ from rotsolve.grading.reading.records import Names
 from solutions import solved
 
 PROBLEMS = sorted((Path(__file__).resolve().parents[2] / "problems").glob("*/*.yaml"))
+UNSAMPLED = {"arm-rocked-by-a-crank"}  # of which no other numbers are found: formulas of students stay undecided there
 UNDECIDED = {
     "wheel-speed-from-angle.omega"
 }  # √(ω₀² + …) is ω₀ + α T where ω₀ = 0 of the scene does not become negative
@@ -37,6 +38,9 @@ def test_published_answers(file: Path) -> None:
     if not published:
         return
     domain = SampledRegion.of(solution)
+    if file.stem in UNSAMPLED:
+        assert not domain.points, "it has points now"
+        return
     assert domain.points
     closed = dict(closed_forms(solution.derivation.answers))
     givens = [given.name for given in solution.problem.givens]

