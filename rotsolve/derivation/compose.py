@@ -40,7 +40,7 @@ from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.one_letter import one_letter_for, said_alike
 from rotsolve.derivation.results import LONG, Results, readable, without_reordered
 from rotsolve.derivation.sought import sought_words
-from rotsolve.language.problem import Condition, Problem, State, TimeValue
+from rotsolve.language.problem import Condition, Path, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Ref, Step
@@ -417,18 +417,30 @@ class DerivationComposer:
         """Whether the page speaks of the angle of a body, and not only of one that is level, at 0."""
         if self.problem.space:
             return False
-        told = [line for state in self.problem.states for line in state.conditions if line.value != ZERO]
-        asked = [term.path for find in self.problem.finds for term in find.terms]
-        spoken_of = [*asked, *(line.path for line in told if line.path is not None)]
-        kinds = {key_of(name).kind for name in self.letters.names} | {path.quantity for path in spoken_of}
+        kinds = {key_of(name).kind for name in self.letters.names} | {path.quantity for path in self._paths()}
         return not kinds.isdisjoint(("angle", COORDINATE + "angle")) or any(
             swing.turns and self.scene.configuration.heavy for swing in self.scene.swings.values()
         )
 
+    def _paths(self) -> list[Path]:
+        """What is asked for, and what states tell, but that it is nothing."""
+        told = [line for state in self.problem.states for line in state.conditions if line.value != ZERO]
+        asked = [term.path for find in self.problem.finds for term in find.terms]
+        return [*asked, *(line.path for line in told if line.path is not None)]
+
+    def _aside(self) -> Iterator[Words]:
+        """Of which bodies the angle is that of the direction to a common centre of mass, and not of an axis of their own."""
+        turned = [path.owner for path in self._paths() if path.quantity == "angle"]
+        first = self.scene.instant(self.scene.configuration.timeline.states[0].name)
+        for name in dict.fromkeys(name for name in turned if name in self.scene.configuration.bodies):
+            if first.measured_aside(name):
+                line = "the line from its axis to the centre of mass of all that is welded to it"
+                yield (f"the angle of {spoken(name)} is that of {line}",)
+
     def _conventions(self) -> tuple[Words, ...]:
-        said: list[Words] = (
-            [("angles from the rightward horizontal, counterclockwise positive",)] if self._angles() else []
-        )
+        said: list[Words] = []
+        if self._angles():
+            said += [("angles from the rightward horizontal, counterclockwise positive",), *self._aside()]
         used = [self.pool[index] for draft in self.drafts for index in draft.laws]
         said += map(self.letters.words, self.scene.conventions(used))
         configuration = self.scene.configuration

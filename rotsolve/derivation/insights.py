@@ -14,21 +14,21 @@ from rotsolve.algebra.certified.sign import sign_within
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Negative, Number, Product, Sum, Symbol, negate
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Product, Sum, Symbol, negate
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, ENERGY, FORCE, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words, in_a_row
-from rotsolve.core.equation import ABOUT_CONTACT, FAMILIES, RATE, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.equation import ABOUT_CONTACT, RATE, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import system_told
-from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
+from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
+from rotsolve.derivation.second_ways import by_another_law, by_point_of_contact, called
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
-from rotsolve.search.planning import FORCES
 from rotsolve.search.search import Search
 
 SIZES = (MASS, LENGTH, INERTIA)  # of which it is told what grows with them
@@ -124,11 +124,6 @@ def in_givens(item: Answered) -> Formula | None:
     """The formula of an answer in givens alone."""
     formula = item.found.formula
     return None if formula is None or has_quantities(formula) or not formula.symbols() else formula
-
-
-def called(item: Answered) -> Formula:
-    """What an answer is called."""
-    return Symbol(item.asked.find.name)
 
 
 def cancelled(told: Sequence[Answered], search: Search) -> Iterator[Words]:
@@ -324,98 +319,6 @@ def opposite_energies(told: Sequence[Answered], search: Search) -> Iterator[Word
             same = asked == {("", "work"), ("lost", "kinetic_energy")}
             yield (called(other), " = −", called(one), *((": the work is what is lost",) if same else ()))
             return
-
-
-def by_point_of_contact(told: Sequence[Answered], search: Search) -> Iterator[Words]:
-    """The same rate by Newton's law for rotation about the point of contact, where that took those about the centre of mass."""
-    for item in told:
-        laws = list(behind(item, search))
-        printed, sections = {name for law in laws for name in law.symbols()}, {law.section for law in laws}
-        used = {law.law for law in laws}
-        rates = item.asked.dimension in (ACCELERATION, ANGULAR_ACCELERATION)
-        if not rates or ROTATION not in used or ABOUT_CONTACT in used:
-            continue
-        for law in search.planner.pool:
-            if law.law != ABOUT_CONTACT or law.section not in sections or not law.symbols() <= printed:
-                continue
-            alone = len(of_kinds(law.symbols(), (*ACCELERATIONS, *FORCES))) == 1
-            if alone and is_zero(search.solver.with_found(law.left - law.right)):
-                inertias = of_kinds(law.right.symbols(), ("inertia",))
-                summed = search.solver.simplify(
-                    law.right.substitute({name: found_for(name, search) for name in inertias})
-                )
-                short = (" = ", summed) if inertias and not isinstance(summed, Sum) else ()
-                told_at_once = (law.left, " = ", law.right, *short, " gives the same ", called(item), " at once")
-                yield ("a second way: about the point of contact ", *told_at_once, " (", *law.remark, ")")
-                return
-
-
-def by_another_law(told: Sequence[Answered], search: Search) -> Iterator[Words]:
-    """The same force by a law that its plan did not use, where one relation of what moves is all that it takes besides."""
-    for item in told:
-        laws = list(behind(item, search))
-        sections, letter = {law.section for law in laws if law.family}, item.asked.letter
-        moved = {name for law in laws for name in law.symbols() if is_key(name)}
-        if (
-            item.asked.dimension != FORCE
-            or len(sections) > 1
-            or all(law.law == SECOND_LAW for law in laws if law.family)
-        ):
-            continue
-        for law in search.planner.pool:
-            if law.law != SECOND_LAW or law in laws or law.section not in sections or letter not in law.symbols():
-                continue
-            more = [name for name in law.symbols() - moved - {letter} if is_key(name)]
-            tied = relation_of(more[0], moved, law.section, search) if len(more) == 1 else None
-            if tied is None:
-                continue
-            left, right = (side.substitute({tied[0]: tied[1]}) for side in (law.left, law.right))
-            if is_zero(search.solver.with_found(left - right)):
-                if isinstance(right, Negative):
-                    left, right = search.solver.simplify(negate(left)), right.operand
-                yield (
-                    "a second way: ",
-                    law.label,
-                    ", ",
-                    left,
-                    " = ",
-                    right,
-                    *told_with(right, search),
-                    ", gives the same ",
-                    called(item),
-                )
-                return
-
-
-def told_with(side: Formula, search: Search) -> Words:
-    """ ", with α = 3 g/(2 l)", of the accelerations in a formula that a line can hold."""
-    values = [(name, found_for(name, search)) for name in of_kinds(side.symbols(), ACCELERATIONS)]
-    told = [
-        (", with ", Symbol(name), " = ", value)
-        for name, value in values
-        if Symbol(name) != value and length(value) <= SHORT
-    ]
-    return told[0] if len(told) == 1 else ()
-
-
-def found_for(name: str, search: Search) -> Formula:
-    """What has been found for a letter, in givens; itself where nothing has."""
-    return search.solver.simplify(search.solver.with_found(Symbol(name)))
-
-
-def relation_of(name: str, known: set[str], section: str, search: Search) -> tuple[str, Formula] | None:
-    """What a relation of the motion tells an acceleration to be, in what the page speaks of already."""
-    if not of_kinds([name], ACCELERATIONS):
-        return None
-    for law in search.planner.pool:
-        if (
-            law.section == section
-            and law.family not in FAMILIES
-            and law.left == Symbol(name)
-            and {one for one in law.right.symbols() if is_key(one)} <= known
-        ):
-            return name, law.right
-    return None
 
 
 def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:

@@ -2,25 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from fractions import Fraction
 from itertools import permutations
 from math import factorial
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Number, Symbol, sqrt
+from rotsolve.algebra.units.dimension import NONE
+from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
+from rotsolve.core.derivation import Words
 from rotsolve.language.problem import SMALL_BESIDE
+from rotsolve.search.search import Search
 
 ORDERS = 7  # of √(m/M) up to which a term is looked for
 RATIO = "small ratio"  # the letter δ = √(m/M)
-NEAR, ALIKE = (
-    1e-10,
-    1e-3,
-)  # a ratio at which the exact form is seen to be its leading term, and how near to it that has to be
+NEAR = 1e-10  # a ratio at which the exact form is seen to be its leading term,
+ALIKE = 1e-3  # and how near to it that has to be
+FAR_OFF = 0.5  # of the exact value, by which a leading term that is told may be off
+DIGITS = 4
 TRIALS = (0.83, 1.37, 0.59, 1.91, 1.13, 0.71, 1.57)
+
+
+def leading_words(
+    formula: Formula, unit: Unit | None, search: Search, value: Callable[[Formula], Certified | None]
+) -> Words:
+    """ "≈ 2 m g/M = 0.0392 m/s² for m ≪ M", of what the scene assumes to be small; `value` is a number in the unit of the answer."""
+    pairs = [pair for pair in pairs_of(search.scene.configuration.problem.assume) if pair[0] in formula.symbols()]
+    if not pairs:
+        return ()
+    said: list[str | Formula] = []
+    for small, large in pairs:
+        said += [" and " if said else "", Symbol(small), " ≪ ", Symbol(large)]
+    told = {name: value for name, value in search.signs.values.items() if name in formula.symbols()}
+    form, term = formula, leading_order(formula, pairs, search.signs.positive)
+    if term is not None and is_zero(term.substitute(told)):  # 1 − e of an elastic blow: the next term tells
+        plain = {given.name for given in search.givens.values() if given.dimension == NONE}
+        form = formula.substitute({name: value for name, value in told.items() if name in plain})
+        term = leading_order(form, pairs, search.signs.positive)
+    if term is None:
+        return ("no leading term is found for ", *said)
+    if is_zero(term - form):
+        return ()
+    number, exact = value(term), value(formula)
+    far = number is not None and exact is not None and abs(number.float - exact.float) > FAR_OFF * abs(exact.float)
+    if far or is_zero(term.substitute(told)):
+        return ("no leading term in letters holds with these numbers for ", *said)
+    worth: Words = ()
+    if number is not None and not isinstance(term, Number):
+        worth = (f" = {(unit.after if unit is not None else str)(number.text(DIGITS))}",)
+    return ("≈ ", search.solver.simplify(term), *worth, " for ", *said)
 
 
 def pairs_of(assumed: Sequence[str]) -> tuple[tuple[str, str], ...]:

@@ -163,16 +163,7 @@ def requirements_by_state(
     """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
     scene = search.scene
     for state in scene.configuration.timeline.states:
-        needs = scene.facts(state.name).requirements
-        fleeting, drawn = passing(state.name, search), just_drawn(state, search)
-        yield (
-            state.name,
-            tuple(
-                need
-                for need in needs
-                if not ((need.kind.grips and fleeting) or (need.kind.stands and drawn)) or said_to_hold(need, state)
-            ),
-        )
+        yield state.name, tuple(needed_at(state, search))
     for name, encounter in scene.encounters.items():
         yield name, encounter.requirements
     for swing in scene.swings.values():
@@ -203,6 +194,14 @@ def requirements_by_state(
         from rotsolve.derivation.lasting import lasting
 
         yield from lasting(search, moment)
+
+
+def needed_at(state: State, search: Search) -> Iterator[Requirement]:
+    """What has to be at a state: of friction where it lasts, of how bodies stand where that is told or asked."""
+    fleeting, drawn = passing(state.name, search), just_drawn(state, search)
+    for need in search.scene.facts(state.name).requirements:
+        if not ((need.kind.grips and fleeting) or (need.kind.stands and drawn)) or said_to_hold(need, state):
+            yield need
 
 
 def pushes_vary(passage: Passage) -> bool:

@@ -10,10 +10,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Number, Product, Quotient, Symbol
-from rotsolve.algebra.units.dimension import ANGLE, NONE, word_of
+from rotsolve.algebra.formula import ELLIPTIC, ONE, PI, ZERO, Call, Formula, Product, Quotient, Symbol
+from rotsolve.algebra.units.dimension import ANGLE, word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Words
@@ -29,9 +28,6 @@ from rotsolve.questions.find import Asked, component
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
 from rotsolve.solver.steps import Found
-
-DIGITS_OF_LEADING = 4
-FAR_OFF = 0.5  # of the exact value, by which a leading term that is told may be off
 
 
 def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:
@@ -163,37 +159,11 @@ class Results(Struct, frozen=True):
         problem = self.search.scene.configuration.problem
         if problem.space or not problem.assume or found.formula is None or has_quantities(found.formula):
             return ()
-        from rotsolve.derivation.leading import leading_order, pairs_of
+        from rotsolve.derivation.leading import leading_words
 
-        pairs = [pair for pair in pairs_of(problem.assume) if pair[0] in found.formula.symbols()]
-        if not pairs:
-            return ()
-        said: list[str | Formula] = []
-        for small, large in pairs:
-            said += [" and " if said else "", Symbol(small), " ≪ ", Symbol(large)]
-        given = {given.name: given.dimension for given in self.search.givens.values()}
-        told = {name: value for name, value in self.search.signs.values.items() if name in found.formula.symbols()}
-        plain = {name: value for name, value in told.items() if given.get(name) == NONE}
-        form = found.formula
-        term = leading_order(form, pairs, self.search.signs.positive)
-        if term is not None and is_zero(term.substitute(told)):  # 1 − e of an elastic blow
-            form = form.substitute(plain)
-            term = leading_order(form, pairs, self.search.signs.positive)
-        if term is None:
-            return ("no leading term is found for ", *said)
-        if is_zero(term - form):
-            return ()
-        if is_zero(term.substitute(told)):
-            return ("no leading term in letters holds with these numbers for ", *said)
-        number, exact = (
-            self.value(side / (unit.factor if unit is not None else ONE)) for side in (term, found.formula)
-        )
-        if number is not None and exact is not None and abs(number.float - exact.float) > FAR_OFF * abs(exact.float):
-            return ("no leading term in letters holds with these numbers for ", *said)
-        worth: Words = ()
-        if number is not None and not isinstance(term, Number):
-            worth = (f" = {(unit.after if unit is not None else str)(number.text(DIGITS_OF_LEADING))}",)
-        return ("≈ ", self.letters.printed(self.search.solver.simplify(term)), *worth, " for ", *said)
+        factor = unit.factor if unit is not None else ONE
+        told = leading_words(found.formula, unit, self.search, lambda form: self.value(form / factor))
+        return self.letters.words(told)
 
     def _rivals(self, asked: Asked) -> tuple[Formula, ...]:
         """What else the equation lets a letter of the scene be that a question settles."""

@@ -61,36 +61,28 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
         if not in_one_body(item, last.configuration, last.state)
     }
     axes = any(body.motion.kind == "axis" for body in involved)
-    meetings = []
-    for body in involved:
-        meetings.append(
-            replace(
-                meeting(body, first, last, last_facts, places.get(body.name)),
-                blows=(*impulses_of(body, lasting, first), *blows_on(body, event, first)),
-                twists=(*angular_impulses_of(body, lasting, first), *event.twists(body.name, first)),
-                held=held_after(body, last_facts) if event.adds() and not axes else None,
-            )
+    meetings = [
+        replace(
+            meeting(body, first, last, last_facts, places.get(body.name)),
+            blows=(*impulses_of(body, lasting, first), *blows_on(body, event, first)),
+            twists=(*angular_impulses_of(body, lasting, first), *event.twists(body.name, first)),
+            held=held_after(body, last_facts) if event.adds() and not axes else None,
         )
+        for body in involved
+    ]
     check_rails(meetings, event, first)
     impulsive = (impulsive_need(need, first) for need in facts.requirements if need.owner in lasting)
     needs = (*(need for need in impulsive if need.left != ZERO), *event.needs(first, last))
-    about, why = supports(involved, event, first), event.no_torque(first)
-    bounces = tuple(bounce for item in event.each() if (bounce := item.bounce(first, last)) is not None)
-    rules = (*stuck, *event.rules(first, last))
-    joined = joined_on_an_axis(involved, last, last_facts)
-    givers = tuple(item.name for item in event.each())
-    return Encounter(
-        interval.name,
-        event.about,
-        tuple(meetings),
-        about,
-        needs,
-        bounces,
-        tuple(closings(event, first, last)),
-        rules,
-        joined,
-        why,
-        givers,
+    bounced = (item.bounce(first, last) for item in event.each())
+    met = Encounter(interval.name, event.about, tuple(meetings), supports(involved, event, first), needs)
+    return replace(
+        met,
+        bounces=tuple(bounce for bounce in bounced if bounce is not None),
+        closings=tuple(closings(event, first, last)),
+        rules=(*stuck, *event.rules(first, last)),
+        joined=joined_on_an_axis(involved, last, last_facts),
+        armless=event.no_torque(first),
+        givers=tuple(item.name for item in event.each()),
     )
 
 

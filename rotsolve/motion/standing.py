@@ -203,6 +203,12 @@ class Standing(Struct, frozen=True, dict=True):
             arm = tidy(welded.reference + welded.cm - own.reference)
         return self.configuration.direction(arm, name) if arm.parts else RIGHT
 
+    def measured_aside(self, name: str) -> bool:
+        """Whether the angle of a body is that of the direction to a common centre of mass which lies aside of its own axis."""
+        seat, hung = self.configuration.seat(name, self.state), self.configuration.hung(name, self.state)
+        own = shape_of(self.body(name)).slender or (seat.host != name and hung is None)
+        return not own and self._measured(name) != RIGHT
+
     def angle(self, name: str) -> Formula | None:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         return self.ask("angle", name, words=TURNS) if self.follows_angle(name) else None

@@ -9,7 +9,6 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, Sum, Symbol
-from rotsolve.algebra.notation.letters import DOTS
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Move, Refusal, Section
 from rotsolve.page.blocks import (
     WITH,
@@ -45,9 +44,6 @@ if TYPE_CHECKING:
     from rotsolve.page.abbreviations import Abbreviation
 
 PLAN = "Plan"
-LONGEST_VALUED = (
-    220  # nodes of what tells a letter, beyond which dots stand for it, where its number stands behind them
-)
 
 
 class DerivationPage(Page, frozen=True):
@@ -240,10 +236,7 @@ def law_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[Pa
         for law in section.laws:
             again = numbers is None or law.equation.left in told
             values = () if numbers is None or again else numbers.valued(law.name, law.equation)
-            told_alone = bool(values) and length(law.equation.right) > LONGEST_VALUED
-            equation = replace(law.equation, right=Symbol(DOTS)) if told_alone else law.equation
-            remark = () if told_alone else law.remark
-            rows.append(FormulaRow((law.law,), (equation,), law.number, remark, True, values=values))
+            rows.append(FormulaRow((law.law,), (law.equation,), law.number, law.remark, True, values=values))
         yield Formulas("Laws", section_level(section), section.remarks, tuple(rows))
 
 

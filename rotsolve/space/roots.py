@@ -64,19 +64,21 @@ def chosen(
         return None
     if len(real) == 1 or all(numbers.side(roots[index] - roots[real[0]]) == 0 for index in real[1:]):
         return PickedRoot(real[0])
+    place, least = extreme_of(name, [roots[k] for k in real], scene, numbers)
+    return PickedRoot(real[place], (f"the {'smaller' if least else 'larger'} of both",))
+
+
+def extreme_of(name: str, roots: Sequence[Formula], scene: SceneEquations, numbers: Numbers) -> tuple[int, bool]:
+    """Which rate of precession is asked for, and whether it is the smallest: a letter may be so where the rate is the larger."""
+    key, worth = key_of(name), Symbol(name)
     word = key.component if key.component in EXTREMES else word_told(key.owner, key.when, scene)
-    worth: Formula = Symbol(name)
-    if not word:
-        word, worth = extreme_asked(name, scene, numbers)
-    if not word:
+    found: tuple[str, Formula] = (word, worth) if word else extreme_asked(name, scene, numbers)
+    if not found[0]:
         problem, span = scene.configuration.problem, scene.configuration.timeline.state(key.when).span
         raise Unsolvable(SEVERAL, span=span, help=HELP.format(key.owner), lines=problem.lines, file=problem.file)
-    sign = -1 if word == "largest" else 1
-    place = numbers.least([sign * worth.substitute({name: roots[k]}) for k in real])
-    least = place == numbers.least(
-        [roots[k] for k in real]
-    )  # a letter may be smallest where the rate is the larger one
-    return PickedRoot(real[place], (f"the {'smaller' if least else 'larger'} of both",))
+    sign = -1 if found[0] == "largest" else 1
+    place = numbers.least([sign * found[1].substitute({name: root}) for root in roots])
+    return place, place == numbers.least(roots)
 
 
 def extreme_asked(name: str, scene: SceneEquations, numbers: Numbers) -> tuple[str, Formula]:

@@ -148,3 +148,21 @@ def test_in_letters_it_stands_under_its_condition() -> None:
         )
     )
     assert "2 cos θ − √3 ≥ 0" in str(found)
+
+
+def test_of_which_line_the_angle_is_that_is_told() -> None:
+    """With a lump welded aside of its axis it is that of the common centre of mass: cos q = 8 (M + k) sin b/√(9 M² + 64 k²)."""
+    scene = """title: t
+given: {M: 2 kg, k: 0.3 kg, R: 20 cm, b: 10 deg, q: unknown}
+surfaces: {ramp: {slope: b, down: left}}
+bodies: {dot: {mass: k}, half: {shape: hemisphere, mass: M, radius: R, moves: down, points: {E: [0, R]}}}
+connections: {glue: {weld: [half.PLACE, dot]}, base: {rolls: [half, ramp]}}
+states: {rest: {half.angle: q, balance: true}}
+find: {q: q}
+"""
+    aside, along = (rotsolve.solve(scene.replace("PLACE", place)) for place in ("E", "center"))
+    said = "the angle of half is that of the line from its axis to the centre of mass of all that is welded to it"
+    assert said in " ".join(str(aside).split())
+    assert said not in " ".join(str(along).split())
+    most = 8 * 2.3 * math.sin(math.radians(10)) / math.sqrt(9 * 4 + 64 * 0.09)
+    assert aside.answers["q"].float == pytest.approx(-math.acos(most), rel=1e-12)

@@ -44,13 +44,17 @@ def about_centre_of(name: str) -> Laws:
             return
         origin = middle.place + middle.body.cm
         members = tuple(about_point_of(item, origin, encounter, own=item is middle) for item in encounter.meetings)
-        free = replace(encounter, meetings=members, about="", joined=())
-        names = tuple(sorted(item.body.name for item in members))
-        yield from momentum.about_common_point(free, section, names)
-        yield from momentum.restitution(ThroughEvent(encounter, section))
-        yield from rules_through_event(ThroughEvent(encounter, section))
+        yield from about_that_point(replace(encounter, about=""), members, section)
 
     return changed
+
+
+def about_that_point(encounter: Encounter, members: tuple[Meeting, ...], section: str) -> Iterator[Equation]:
+    """Angular momentum with places from another point, beside all else that holds through the event."""
+    moved = replace(encounter, meetings=members, joined=())
+    yield from momentum.about_common_point(moved, section, tuple(sorted(item.body.name for item in members)))
+    yield from momentum.restitution(ThroughEvent(encounter, section))
+    yield from rules_through_event(ThroughEvent(encounter, section))
 
 
 def about_point_of(item: Meeting, origin: Vector, encounter: Encounter, *, own: bool) -> Meeting:
@@ -84,10 +88,7 @@ def held_at_centre(name: str) -> Laws:
         members = tuple(
             replace(item, place=item.place - origin) for item in encounter.meetings if item.place is not None
         )
-        names = tuple(sorted(item.body.name for item in members))
-        yield from momentum.about_common_point(replace(encounter, meetings=members, joined=()), section, names)
-        yield from momentum.restitution(ThroughEvent(encounter, section))
-        yield from rules_through_event(ThroughEvent(encounter, section))
+        yield from about_that_point(encounter, members, section)
         for axis in (RIGHT, UP):
             after = middle.after.along(axis)
             if after != ZERO:
