@@ -431,11 +431,12 @@ class DerivationComposer:
     def _aside(self) -> Iterator[Words]:
         """Of which bodies the angle is that of the direction to a common centre of mass, and not of an axis of their own."""
         turned = [path.owner for path in self._paths() if path.quantity == "angle"]
-        first = self.scene.instant(self.scene.configuration.timeline.states[0].name)
-        for name in dict.fromkeys(name for name in turned if name in self.scene.configuration.bodies):
+        configuration = self.scene.configuration
+        first = self.scene.instant(configuration.timeline.states[0].name)
+        for name in dict.fromkeys(name for name in turned if name in configuration.bodies):
             if first.measured_aside(name):
-                line = "the line from its axis to the centre of mass of all that is welded to it"
-                yield (f"the angle of {spoken(name)} is that of {line}",)
+                whose = "the common" if len(tuple(configuration.cluster(name, first.state))) > 1 else "its"
+                yield (f"the angle of {spoken(name)} is that of the line from its axis to {whose} centre of mass",)
 
     def _conventions(self) -> tuple[Words, ...]:
         said: list[Words] = []

@@ -161,7 +161,7 @@ states: {rest: {half.angle: q, balance: true}}
 find: {q: q}
 """
     aside, along = (rotsolve.solve(scene.replace("PLACE", place)) for place in ("E", "center"))
-    said = "the angle of half is that of the line from its axis to the centre of mass of all that is welded to it"
+    said = "the angle of half is that of the line from its axis to the common centre of mass"
     assert said in " ".join(str(aside).split())
     assert said not in " ".join(str(along).split())
     most = 8 * 2.3 * math.sin(math.radians(10)) / math.sqrt(9 * 4 + 64 * 0.09)
