@@ -435,7 +435,7 @@ class DerivationComposer:
         first = self.scene.instant(configuration.timeline.states[0].name)
         for name in dict.fromkeys(name for name in turned if name in configuration.bodies):
             if first.measured_aside(name):
-                whose = "the common" if len(tuple(configuration.cluster(name, first.state))) > 1 else "its"
+                whose = "the common" if configuration.cluster(first.host(name), first.state) else "its"
                 yield (f"the angle of {spoken(name)} is that of the line from its axis to {whose} centre of mass",)
 
     def _conventions(self) -> tuple[Words, ...]:
