@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import DOTS
 from rotsolve.core.derivation import Answer, Derivation, Equality, LawLine, Move, Section, Words
 
-LONGEST = 400  # nodes of a formula, some twenty lines of a page
+LONGEST = 320  # nodes of a formula, a dozen lines of a page
 UNWRITTEN = Symbol(DOTS)
 TOO_LONG: Words = ("too long to print",)
 

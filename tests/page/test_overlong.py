@@ -1,4 +1,4 @@
-"""No page holds formulas of more than some twenty lines: dots stand for them, and what they come to is certified all the same."""
+"""No page holds formulas of more than a dozen lines: dots stand for them, and what they come to is certified all the same."""
 
 from __future__ import annotations
 
