@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.elements.shapes import rim_radius
+from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Body, PointRef, Problem
 
@@ -56,10 +56,11 @@ def at_centre(ref: PointRef) -> bool:
 
 
 def middle(ref: PointRef, bodies: Bodies) -> PointRef:
-    """The centre of mass for a body that is named alone and is put together of parts, save a wheel: that has its centre."""
+    """The centre of mass for a body that is named alone and has parts or no centre, save a wheel: that has its centre."""
     body = bodies.get(ref.owner)
-    whole = ref.point is None and body is not None and bool(body.parts or body.holes)
-    return replace(ref, point="cm") if whole and body is not None and rim_radius(body, None) is None else ref
+    if ref.point is not None or body is None or rim_radius(body, None) is not None:
+        return ref
+    return replace(ref, point="cm") if body.parts or body.holes or "center" not in shape_of(body).points else ref
 
 
 def moves(name: str, at: PointRef | None, others: Others, bodies: Bodies) -> bool:

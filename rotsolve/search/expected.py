@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, Symbol, call, negate, sqrt
+from rotsolve.algebra.formula import ONE, Symbol, call, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.facts import signed
@@ -83,13 +83,13 @@ class Expected(Struct, frozen=True):
         if timed:
             return self._told(kind, owner, name, timed)
         change = travel.end - travel.start if travel.start is not None and travel.end is not None else None
-        told = [change]
         gone = travel.change if change is None else change
-        if not first and self.numbers.found(gone) == 0.0:  # it has come back
-            told = [negate(travel.before)]
-        elif not first:
-            told += [gone, travel.before, self.numbers.push(travel.initial)]
-        sign = self.numbers.sign(told)
+        if first:
+            sign = self.numbers.sign((change,))
+        elif self.numbers.found(gone) == 0.0:  # it has come back
+            sign = -self.numbers.onset(travel)
+        else:
+            sign = self.numbers.sign((gone,)) or self.numbers.onset(travel)
         return self._told(kind, owner, name, sign) if sign else (0, ())
 
     def _in_time(self, travel: Travel, passage: Passage) -> int:
@@ -159,5 +159,5 @@ class Expected(Struct, frozen=True):
         travel = self._travel(interval, owner, "line" if kind == "displacement" else "turn", axis)
         if travel is None:
             return 0, ()
-        sign = self.numbers.sign((travel.before, self.numbers.push(travel.initial), travel.after))
+        sign = self.numbers.onset(travel) or self.numbers.sign((travel.after,))
         return (sign, ("the way in which it starts to move",)) if sign else (0, ())

@@ -107,7 +107,7 @@ class FirstReached(Struct, frozen=True):
 
     def _onset(self, travel: Travel) -> int:
         """Which way a coordinate sets out: as it moves at the start, else as it is pushed; 0 where nothing tells."""
-        return self.numbers.sign((travel.before, self.numbers.push(travel.initial)))
+        return self.numbers.onset(travel)
 
     def _known(self, value: Formula) -> Formula | None:
         """A value with the answers put in; None where that leaves it without a number."""
