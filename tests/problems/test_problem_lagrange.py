@@ -90,6 +90,7 @@ def test_it_is_answered_or_refused_for_a_known_reason(problem_file: Path) -> Non
         assert fault.help and re.search(help, fault.help), fault.help
 
 
+@pytest.mark.sampled(3)
 def test_its_page_has_printed_letters_alone(problem_file: Path) -> None:
     try:
         solution = solved(problem_file, LAGRANGE)
