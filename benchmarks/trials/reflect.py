@@ -71,6 +71,8 @@ def on_a_rim(text: str, scene: Scene) -> bool:
 
 def lying(scene: Scene) -> set[str]:
     """The bodies that lie or roll on something."""
+    if scene.get("plane") == "horizontal":  # on a table, on which it may turn
+        return set()
     pairs = [item.get("rolls") or item.get("contact") for item in scene.get("connections", {}).values()]
     return {pair[0] for pair in pairs if pair}
 

@@ -93,7 +93,7 @@ def axle(item: Axle, pose: Pose, model: Known) -> Held:
     for ref in wheels:
         x, y = place_of(ref, pose, model)
         if carrier is not None:
-            u, w = place_of(model.mount(carrier), pose, model)
+            u, w = place_of(carrier, pose, model)
             x, y = x - u, y - w
         tail = f"_{ref.owner}" if len(item.axle) > 1 else ""
         yield held(item.name, f"x{tail}", x, pose, hard=carrier is not None)

@@ -82,8 +82,7 @@ def joints_of(model: Known) -> list[Joint]:
                 found.append((item.hinge[0], item.hinge[1]))
         elif isinstance(item, Axle):
             carrier = carrier_of(item, model)
-            mount = None if carrier is None else model.mount(carrier)
-            found += [(mount, ref) for ref in item.axle if mount is not None and ref is not carrier]
+            found += [(carrier, ref) for ref in item.axle if carrier is not None and ref is not carrier]
         elif item.joined():
             found.append((item.joined()[0], item.joined()[1]))
     riders = [ride for item in model.acting.connections if (ride := item.ride()) is not None]

@@ -270,10 +270,6 @@ class Connection(ActingElement, frozen=True):
         """The connection as the scene is seen; `level` are the names of what is level in it."""
         return self
 
-    def between_points(self, middle: Callable[[PointRef], PointRef]) -> Connection:
-        """The connection where bodies that are named alone stand for a point of theirs."""
-        return self
-
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """The connection with letters for what the scene leaves out; `held` are the bodies on axles and hinges."""
         return self

@@ -341,20 +341,17 @@ class Standing(Struct, frozen=True, dict=True):
         return any(map(self._goes_round, asked)) or self._asks_of_joint(name, carried)
 
     def _asks_of_joint(self, name: str, carried: Container[str]) -> bool:
-        """Whether a question asks for a component in space of the force at which a body is held, whose centre of mass goes round."""
+        """Whether a question asks for a component in space of the force at which a body is held, whose centre of mass goes round, or with
+        which bodies that go round together hold each other."""
         configuration = self.configuration
-        held = [
-            item
-            for item in configuration.connections(self.state)
-            for ref in item.fixed_points()
-            if ref.owner in carried
-        ]
-        names = {item.name for item in held}
+        items = configuration.connections(self.state)
+        held = {item.name for item in items for ref in item.fixed_points() if ref.owner in carried}
+        if not configuration.eccentric(name, self.state):
+            held = set()
+        held |= {item.name for item in items if item.joined() and item.joined()[0].owner in carried}
         paths = (term.path for find in configuration.problem.finds for term in find.terms if term.modifier != "size of")
-        asked = any(
-            path.owner in names and path.quantity == "force" and path.component in (None, *PLANE) for path in paths
-        )
-        return asked and self._time_passes() and configuration.eccentric(name, self.state)
+        forces = [path for path in paths if path.owner in held and path.quantity == "force"]
+        return self._time_passes() and any(path.component in (None, *PLANE) for path in forces)
 
     def _asks_within(self, carried: Container[str]) -> bool:
         """Whether a question asks with what force bodies that are one hold each other, which goes round with them."""

@@ -103,3 +103,21 @@ def test_an_axle_on_a_body_named_alone_is_at_its_centre_else_at_its_centre_of_ma
     found = solve(text)
     assert found.answers["v"].float == pytest.approx(found.answers["u"].float)
     assert all(item.holds for item in found.derivation.confirmed)
+
+
+def test_the_force_of_a_weld_goes_round_with_what_it_holds() -> None:
+    """A rod about its middle with a lump of equal mass at either end: the centre of mass stays, and each lump goes round."""
+    found = solve("""
+    plane: horizontal
+    given: {M: 3 kg, m: 2 kg, b: 80 cm, Q: 4 N m, w: 2 rad/s, t: 1.2 s}
+    bodies: {rod: {shape: rod, mass: M, length: b}, one: {mass: m}, two: {mass: m}}
+    connections: {pin: {hinge: rod.center}, glue: {weld: [rod.end, one]}, stay: {weld: [rod.start, two]}}
+    actions: {twist: {couple: Q, on: rod}}
+    states: {start: {rod.angular_velocity: w}, end: {time: t}}
+    find: {Fx: glue.force.x at end, Fy: glue.force.y at end}
+    """)
+    alpha = 4 / (3 * 0.64 / 12 + 2 * 2 * 0.16)
+    omega, angle = 2 + alpha * 1.2, 2 * 1.2 + alpha * 1.2**2 / 2
+    assert found.answers["Fx"].float == pytest.approx(2 * 0.4 * (-(omega**2) * cos(angle) - alpha * sin(angle)))
+    assert found.answers["Fy"].float == pytest.approx(2 * 0.4 * (-(omega**2) * sin(angle) + alpha * cos(angle)))
+    assert all(item.holds for item in found.derivation.confirmed)
