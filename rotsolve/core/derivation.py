@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 Words = tuple["str | Formula", ...]
 NEXT = "\n"  # a part of the remark of a law behind which another sentence begins
+SHOWN = "\t"  # a part of a sentence that stands before and behind what has a line of its own
 
 
 def in_a_row(letters: Iterable[Formula]) -> Words:
@@ -50,6 +51,17 @@ def sentences(words: Words) -> tuple[Words, ...]:
         else:
             found[-1] = (*found[-1], part)
     return tuple(found)
+
+
+def in_lines(sentence: Words) -> tuple[Words, ...]:
+    """The lines of a sentence, in which what has one of its own keeps its sign before it; signs behind nothing are left out."""
+    found: list[Words] = [()]
+    for part in sentence:
+        if part != SHOWN:
+            found[-1] = (*found[-1], part)
+        else:
+            found.append(() if found[-1][:1] == (SHOWN,) else (SHOWN,))
+    return tuple(line for line in found if line not in ((), (SHOWN,)))
 
 
 class Equality(Struct, frozen=True):

@@ -368,6 +368,7 @@ def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
                 whole,
                 ", which the same mass all at the distance ",
                 distance,
-                " would have: what lies nearer to the axis counts less",
+                " would have: what lies nearer to the axis counts less, so that ",
+                f"{spoken(paths[0].owner)} is easier to set turning",
             )
             return

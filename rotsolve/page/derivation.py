@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, Sum, Symbol
-from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Move, Refusal, Section
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Move, Refusal, Section, in_lines
 from rotsolve.page.blocks import (
     WITH,
     AnswerRow,
@@ -237,7 +237,8 @@ def law_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[Pa
             again = numbers is None or law.equation.left in told
             values = () if numbers is None or again else numbers.valued(law.name, law.equation)
             rows.append(FormulaRow((law.law,), (law.equation,), law.number, law.remark, True, values=values))
-        yield Formulas("Laws", section_level(section), section.remarks, tuple(rows))
+        remarks = tuple(line for remark in section.remarks for line in in_lines(remark))
+        yield Formulas("Laws", section_level(section), remarks, tuple(rows))
 
 
 def step_row(move: Move, numbers: InsertedNumbers | None, printed: set[Equality]) -> FormulaRow:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Integral, Product
 from rotsolve.core.derivation import Cited, Move
 from rotsolve.page.blocks import Phrase, joined_phrases
 
@@ -20,7 +20,15 @@ def said_of_step(move: Move) -> Phrase:
         return (f"Divide {move.into} by {move.divisor}", *told)
     if not move.put:
         return (f"From {move.into}",)
-    return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}")
+    front = ", constants in front of the integral" if integral_alone(move) else ""
+    return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}{front}")
+
+
+def integral_alone(move: Move) -> bool:
+    """Whether a step begins with factors and an integral that the next line carries out."""
+    right = move.chain[0].right
+    factors = right.factors if isinstance(right, Product) else ()
+    return len(move.chain) > 1 and any(isinstance(factor, Integral) for factor in factors)
 
 
 def cited_phrases(put: Sequence[Cited]) -> list[Phrase]:
