@@ -250,7 +250,7 @@ class Derivation(Struct, frozen=True):
     `refused` are the questions that have no answer; they take no other with them.
     `places` are those of the points on bodies, `events` what happens at each.
     `confirmed` says of each answer whether an assembly of all bodies' equations gives the same; nothing where nobody asked. `insights` are
-    sentences about what the answers say.
+    sentences about what the answers say, `second` finds one of them once more in a way of its own.
     """
 
     title: str
@@ -268,5 +268,6 @@ class Derivation(Struct, frozen=True):
     refused: tuple[Refusal, ...] = ()
     confirmed: tuple[AnswerConfirmation, ...] = ()
     insights: tuple[Words, ...] = ()
+    second: tuple[Section, ...] = ()
     places: tuple[Words, ...] = ()
     events: tuple[Words, ...] = ()

@@ -35,10 +35,11 @@ from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
 from rotsolve.derivation.headings import section_title
-from rotsolve.derivation.insights import insights
+from rotsolve.derivation.insights import insights, told_in_letters
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.one_letter import one_letter_for, said_alike
 from rotsolve.derivation.results import LONG, Results, readable, without_reordered
+from rotsolve.derivation.second_ways import Putting, SecondWay, second_way
 from rotsolve.derivation.sought import sought_words
 from rotsolve.language.problem import Condition, Path, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
@@ -210,6 +211,7 @@ class DerivationComposer:
         if len(sections) == 1:
             sections = [replace(sections[0], title="")]
         numbered = [given for given in self.problem.givens if given.value is not None]
+        way = second_way(told_in_letters(self.search), self.search)
         return Derivation(
             title=self.problem.title,
             source=self.problem.source,
@@ -225,8 +227,27 @@ class DerivationComposer:
             equations_written=len(self.search.equations),
             equations_used=sum(1 for draft in self.drafts for _ in self._once(draft.laws)),
             trials=trials,
-            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone()))),
+            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone(), twice=way is not None))),
+            second=() if way is None else (self._second(way),),
         )
+
+    def _second(self, way: SecondWay) -> Section:
+        """A second way with its law behind all that are numbered."""
+        number = max(self.numbers.values(), default=self.first - 1) + 1
+        remark = self.letters.words(way.remark)
+        line = LawLine(number, way.law.label, self._equal(way.written), remark, way.law.law.name, way.law.family)
+        moves = tuple(self._put(step, f"({number})") for step in way.steps)
+        return Section("", remarks=(self.letters.words(way.why),), laws=(line,), moves=moves)
+
+    def _put(self, step: Putting, own: str) -> Move:
+        """A step of a second way, whose law has its `own` number."""
+        marks = {id(self.pool[index]): f"({n})" for (kind, index), n in self.numbers.items() if kind == "law"}
+        cited = [Cited(self.letters.printed(letter), marks.get(id(law), "")) for letter, law in step.put]
+        into = own if step.into is None else marks.get(id(step.into), "")
+        return Move("", tuple(map(self._equal, step.chain)), put=tuple(cited), into=into)
+
+    def _equal(self, equality: Equality) -> Equality:
+        return Equality(self._shown(equality.left), self._shown(equality.right), equality.relation)
 
     def _turned_alone(self) -> Iterator[tuple[BodyFacts, Force]]:
         """The bodies that one force alone turns, with that force."""

@@ -25,7 +25,7 @@ from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
-from rotsolve.derivation.second_ways import by_another_law, by_point_of_contact, called
+from rotsolve.derivation.second_ways import called
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -42,10 +42,15 @@ SHORT = 15  # nodes of a share of the energy that is told in letters
 CLOSE = (95, 105)  # per cent of a weight within which a force is not compared with it
 
 
-def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterator[Words]:
+def told_in_letters(search: Search) -> list[Answered]:
+    """The answers that have formulas and are no functions of time."""
+    return [item for item in search.wholes() if item.found.formula is not None and not item.asked.find.runs]
+
+
+def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]], *, twice: bool = False) -> Iterator[Words]:
     """Sentences about the answers, the most telling kinds first, each kind once or twice; `alone` are bodies with the one force that turns
-    them."""
-    told = [item for item in search.wholes() if item.found.formula is not None and not item.asked.find.runs]
+    them. What is found `twice` needs none about its second way."""
+    told = told_in_letters(search)
     lawful = [item for item in told if any(law.family for law in behind(item, search))]
     yield from cancelled(lawful, search)
     yield from growing(lawful, search)
@@ -54,8 +59,7 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from energy_lost(search)
     yield from opposite_energies(told, search)
     yield from beside_a_ring(told, search)
-    yield from list(by_point_of_contact(told, search)) or about_contacts(told, search)
-    yield from by_another_law(told, search)
+    yield from () if twice else about_contacts(told, search)
     yield from by_friction_alone(alone, told, search)
 
 

@@ -1,22 +1,44 @@
-"""Second ways: an answer by a law that its plan did not use: a rate about the point of contact, a force by Newton's second law."""
+"""Second ways: an answer by a law that its plan did not use, written out: a rate about the point of contact, a force by Newton's second law."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from msgspec import Struct
+
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import Formula, Negative, Sum, Symbol, negate
+from rotsolve.algebra.formula import Formula, Negative, Product, Sum, Symbol, multiply, negate
+from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE
-from rotsolve.core.derivation import Words
-from rotsolve.core.equation import ABOUT_CONTACT, FAMILIES, ROTATION, SECOND_LAW
-from rotsolve.core.symbols import ACCELERATIONS, is_key, of_kinds
+from rotsolve.core.derivation import Equality, Words
+from rotsolve.core.equation import ABOUT_CONTACT, FAMILIES, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
+from rotsolve.core.writing import spoken
 from rotsolve.derivation.behind import behind
 from rotsolve.search.answers import Answered
 from rotsolve.search.planning import FORCES
 from rotsolve.search.search import Search
 
-SHORT = 15  # nodes of what an acceleration comes to that is told beside a law
+SHORT = 15  # nodes of what an acceleration comes to that is put into a law
+
+
+class Putting(Struct, frozen=True):
+    """A step: letters that equations tell are put into another one; None is the law of the way itself."""
+
+    into: Equation | None
+    put: tuple[tuple[Formula, Equation | None], ...]  # a letter told by a step of the way itself has no equation
+    chain: tuple[Equality, ...]
+
+
+class SecondWay(Struct, frozen=True):
+    """An answer once more: why it is another way, the law, written as it stands there, and the steps from that to the answer."""
+
+    why: Words
+    law: Equation
+    written: Equality
+    remark: Words
+    steps: tuple[Putting, ...]
 
 
 def called(item: Answered) -> Formula:
@@ -24,76 +46,122 @@ def called(item: Answered) -> Formula:
     return Symbol(item.asked.find.name)
 
 
-def by_point_of_contact(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+def second_way(told: Sequence[Answered], search: Search) -> SecondWay | None:
+    """The first answer of which there is one that is short."""
+    ways = (way for item in told for way in (about_contact(item, search), by_another_law(item, search)))
+    return next((way for way in ways if way is not None), None)
+
+
+def about_contact(item: Answered, search: Search) -> SecondWay | None:
     """The same rate by Newton's law for rotation about the point of contact, where that took those about the centre of mass."""
-    for item in told:
-        laws = list(behind(item, search))
-        printed, sections = {name for law in laws for name in law.symbols()}, {law.section for law in laws}
-        used = {law.law for law in laws}
-        rates = item.asked.dimension in (ACCELERATION, ANGULAR_ACCELERATION)
-        if not rates or ROTATION not in used or ABOUT_CONTACT in used:
+    laws = list(behind(item, search))
+    printed, sections = {name for law in laws for name in law.symbols()}, {law.section for law in laws}
+    used, found = {law.law for law in laws}, item.found.formula
+    if item.asked.dimension not in (ACCELERATION, ANGULAR_ACCELERATION) or ROTATION not in used or found is None:
+        return None
+    for law in search.planner.pool if ABOUT_CONTACT not in used else ():
+        if law.law != ABOUT_CONTACT or law.section not in sections or not law.symbols() <= printed:
             continue
-        for law in search.planner.pool:
-            if law.law != ABOUT_CONTACT or law.section not in sections or not law.symbols() <= printed:
-                continue
-            alone = len(of_kinds(law.symbols(), (*ACCELERATIONS, *FORCES))) == 1
-            if alone and is_zero(search.solver.with_found(law.left - law.right)):
-                inertias = of_kinds(law.right.symbols(), ("inertia",))
-                summed = search.solver.simplify(
-                    law.right.substitute({name: found_for(name, search) for name in inertias})
-                )
-                short = (" = ", summed) if inertias and not isinstance(summed, Sum) else ()
-                told_at_once = (law.left, " = ", law.right, *short, " gives the same ", called(item), " at once")
-                yield ("a second way: about the point of contact ", *told_at_once, " (", *law.remark, ")")
-                return
+        alone = len(of_kinds(law.symbols(), (*ACCELERATIONS, *FORCES))) == 1
+        steps = contact_steps(item, law, laws, search) if alone else ()
+        if steps and is_zero(search.solver.with_found(law.left - law.right)):
+            body = spoken(law.bodies[0])
+            why = f"About the point of contact no force has a torque on {body} that is unknown, and one equation will do."
+            return SecondWay((why,), law, Equality(law.left, law.right), law.remark, steps)
+    return None
 
 
-def by_another_law(told: Sequence[Answered], search: Search) -> Iterator[Words]:
-    """The same force by a law that its plan did not use, where one relation of what moves is all that it takes besides."""
-    for item in told:
-        laws = list(behind(item, search))
-        sections, letter = {law.section for law in laws if law.family}, item.asked.letter
-        moved = {name for law in laws for name in law.symbols() if is_key(name)}
-        if (
-            item.asked.dimension != FORCE
-            or len(sections) > 1
-            or all(law.law == SECOND_LAW for law in laws if law.family)
-        ):
+def contact_steps(item: Answered, law: Equation, laws: Sequence[Equation], search: Search) -> tuple[Putting, ...]:
+    """Moments of inertia, and the answer for the rate, put into the law about the point of contact; nothing where more is needed."""
+    (rate,), letter = of_kinds(law.symbols(), ACCELERATIONS) or ("",), item.asked.letter
+    put = [(Symbol(name), told) for name in of_kinds(law.symbols(), ("inertia",)) for told in tellings(name, laws)]
+    if rate != letter:
+        ties = [tie for tie in tellings(rate, laws) if {name for name in tie.right.symbols() if is_key(name)} == {letter}]
+        if not ties:
+            return ()
+        put.append((Symbol(rate), ties[0]))
+    found, values = item.found.formula, {symbol.name: told.right for symbol, told in put}
+    if found is None or has_quantities(found) or any(has_quantities(values[name.name]) for name, _ in put if name.name != rate):
+        return ()
+    left, right = law.left, with_factors(law.right, values, letter, search)
+    summed = with_sums_done(right, search)
+    chain = dict.fromkeys((Equality(left, right), Equality(left, summed), Equality(Symbol(letter), found)))
+    return (Putting(None, tuple(put), tuple(chain)),)
+
+
+def tellings(name: str, laws: Sequence[Equation]) -> Iterator[Equation]:
+    """The first equation that tells a letter by itself, as I = ½ m R²."""
+    yield from [law for law in laws if not law.family and law.left == Symbol(name)][:1]
+
+
+def with_factors(product: Formula, values: dict[str, Formula], letter: str, search: Search) -> Formula:
+    """A product with values put in; of factors that hold the letter, as R α/R, what they come to."""
+    factors = product.factors if isinstance(product, Product) else (product,)
+    put = (factor.substitute(values) for factor in factors)
+    return multiply(*(search.solver.simplify(one) if letter in one.symbols() else one for one in put))
+
+
+def with_sums_done(product: Formula, search: Search) -> Formula:
+    """A product whose sums of like terms are worked out, as ½ m R² + m R²; the same where they have none."""
+    factors = product.factors if isinstance(product, Product) else (product,)
+    done = (search.solver.simplify(one) if isinstance(one, Sum) else one for one in factors)
+    found = multiply(*done)
+    return product if any(isinstance(one, Sum) for one in (found.factors if isinstance(found, Product) else ())) else found
+
+
+def by_another_law(item: Answered, search: Search) -> SecondWay | None:
+    """The same force by Newton's second law, where one relation of what moves is all that it takes besides."""
+    laws = list(behind(item, search))
+    sections, letter = {law.section for law in laws if law.family}, item.asked.letter
+    moved = {name for law in laws for name in law.symbols() if is_key(name)}
+    newton = all(law.law == SECOND_LAW for law in laws if law.family)
+    if item.asked.dimension != FORCE or len(sections) > 1 or newton:
+        return None
+    for law in search.planner.pool:
+        if law.law != SECOND_LAW or law in laws or law.section not in sections or letter not in law.symbols():
             continue
-        for law in search.planner.pool:
-            if law.law != SECOND_LAW or law in laws or law.section not in sections or letter not in law.symbols():
-                continue
-            more = [name for name in law.symbols() - moved - {letter} if is_key(name)]
-            tied = told_by_relation(more[0], moved, law.section, search) if len(more) == 1 else None
-            if tied is None:
-                continue
-            left, right = (side.substitute({more[0]: tied}) for side in (law.left, law.right))
-            if is_zero(search.solver.with_found(left - right)):
-                if isinstance(right, Negative):
-                    left, right = search.solver.simplify(negate(left)), right.operand
-                yield (
-                    "a second way: ",
-                    law.label,
-                    ", ",
-                    left,
-                    " = ",
-                    right,
-                    *told_with(right, search),
-                    ", gives the same ",
-                    called(item),
-                )
-                return
+        more = [name for name in law.symbols() - moved - {letter} if is_key(name)]
+        tied = told_by_relation(more[0], moved, law.section, search) if len(more) == 1 else None
+        if tied is None:
+            continue
+        left, right = (side.substitute({more[0]: tied}) for side in (law.left, law.right))
+        if is_zero(search.solver.with_found(left - right)):
+            if isinstance(right, Negative):
+                left, right = search.solver.simplify(negate(left)), right.operand
+            steps = second_law_steps(item, Equality(left, right), laws, search)
+            told: Words = (unsigned(tied) or tied, f" is the acceleration of its centre of mass")
+            why = ("Newton's second law gives the same ", called(item), ".")
+            return SecondWay(why, law, Equality(left, right), told, steps) if steps else None
+    return None
 
 
-def told_with(side: Formula, search: Search) -> Words:
-    """ ", with α = 3 g/(2 l)", of the accelerations in a formula that a line can hold."""
-    values = [(name, found_for(name, search)) for name in of_kinds(side.symbols(), ACCELERATIONS)]
-    told = [
-        (", with ", Symbol(name), " = ", value)
-        for name, value in values
-        if Symbol(name) != value and length(value) <= SHORT
-    ]
-    return told[0] if len(told) == 1 else ()
+def second_law_steps(
+    item: Answered, written: Equality, laws: Sequence[Equation], search: Search
+) -> tuple[Putting, ...]:
+    """The acceleration from a law that holds it alone, and the force with that put in; nothing where it takes more."""
+    rates, found = of_kinds(written.right.symbols(), ACCELERATIONS), item.found.formula
+    if len(rates) != 1 or found is None or has_quantities(found):
+        return ()
+    value = found_for(rates[0], search)
+    for law in laws:
+        inertias = of_kinds(law.symbols(), ("inertia",))
+        put = [(Symbol(name), told) for name in inertias for told in tellings(name, laws)]
+        keys = {name for name in law.symbols() if is_key(name)} - set(inertias)
+        if law.family and keys == {rates[0]} and not has_quantities(value) and length(value) <= SHORT:
+            first = Putting(law, tuple(put), (Equality(Symbol(rates[0]), value),))
+            right = written.right.substitute({rates[0]: value})
+            chain = (
+                Equality(written.left, right),
+                Equality(written.left, search.solver.simplify(right)),
+                Equality(called_as(item), found),
+            )
+            return (first, Putting(None, ((Symbol(rates[0]), None),), tuple(dict.fromkeys(chain))))
+    return ()
+
+
+def called_as(item: Answered) -> Formula:
+    """The letter of an answer in the laws."""
+    return Symbol(item.asked.letter)
 
 
 def found_for(name: str, search: Search) -> Formula:

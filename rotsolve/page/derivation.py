@@ -78,6 +78,9 @@ class DerivationPage(Page, frozen=True):
             yield Answers(self.answer_rows(derivation))
             used = names_in_answers(derivation) if shorts else set()
             yield from (Paragraph(("with ", *numbers.meaning(one))) for one in shorts if one.letter.name in used)
+        for section in derivation.second if self.detail != BRIEF else ():
+            yield Title(2, ("Second solution",))
+            yield from section_blocks(replace(section, title="Second solution"), None, set())
         if derivation.insights and self.detail != BRIEF:
             yield Title(2, ("Remarks",))
             yield Bullets(tuple(map(Bullet, derivation.insights)))
