@@ -232,19 +232,33 @@ class DerivationComposer:
         )
 
     def _second(self, way: SecondWay) -> Section:
-        """A second way with its law behind all that are numbered."""
-        number = max(self.numbers.values(), default=self.first - 1) + 1
-        remark = self.letters.words(way.remark)
-        line = LawLine(number, way.law.label, self._equal(way.written), remark, way.law.law.name, way.law.family)
-        moves = tuple(self._put(step, f"({number})") for step in way.steps)
-        return Section("", remarks=(self.letters.words(way.why),), laws=(line,), moves=moves)
+        """A second way with its laws behind all that are numbered, and with names for letters that nothing else prints."""
+        first = max(self.numbers.values(), default=self.first - 1) + 1
+        letters = {
+            name for one in way.laws for side in (one.equality.left, one.equality.right) for name in side.symbols()
+        }
+        if any(is_key(name) and name not in self.letters.names for name in letters):
+            from rotsolve.derivation.stages import all_names
 
-    def _put(self, step: Putting, own: str) -> Move:
-        """A step of a second way, whose law has its `own` number."""
-        marks = {id(self.pool[index]): f"({n})" for (kind, index), n in self.numbers.items() if kind == "law"}
-        cited = [Cited(self.letters.printed(letter), marks.get(id(law), "")) for letter, law in step.put]
-        into = own if step.into is None else marks.get(id(step.into), "")
-        return Move("", tuple(map(self._equal, step.chain)), put=tuple(cited), into=into)
+            self.letters.names |= {
+                name: text for name, text in all_names(self.search, self.letters).items() if name in letters
+            }
+        laws = tuple(
+            LawLine(number, one.law.label, self._equal(one.equality), self.letters.words(one.remark), one.law.law.name)
+            for number, one in enumerate(way.laws, first)
+        )
+        moves = tuple(self._put(step, first) for step in way.steps)
+        return Section("", remarks=(self.letters.words(way.why),), laws=laws, moves=moves)
+
+    def _put(self, step: Putting, first: int) -> Move:
+        """A step of a second way, whose laws are numbered from the `first` on."""
+        marks = {id(self.pool[int(index)]): f"({n})" for (kind, index), n in self.numbers.items() if kind == "law"}
+
+        def mark(law: Equation | int | None) -> str:
+            return f"({law + first})" if isinstance(law, int) else marks.get(id(law), "")
+
+        cited = tuple(Cited(self.letters.printed(letter), mark(law)) for letter, law in step.put)
+        return Move("", tuple(map(self._equal, step.chain)), put=cited, into=mark(step.into))
 
     def _equal(self, equality: Equality) -> Equality:
         return Equality(self._shown(equality.left), self._shown(equality.right), equality.relation)

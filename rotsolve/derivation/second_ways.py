@@ -1,4 +1,4 @@
-"""Second ways: an answer by a law that its plan did not use, written out: a rate about the point of contact, a force by Newton's second law."""
+"""Second ways: an answer written out by a law that its plan did not use: torque about the contact, Newton's second law, an impulse."""
 
 from __future__ import annotations
 
@@ -6,13 +6,24 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
+from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, Negative, Product, Sum, Symbol, multiply, negate
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.core.equation import ABOUT_CONTACT, FAMILIES, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.equation import (
+    ABOUT_CONTACT,
+    ANGULAR_MOMENTUM,
+    BLOWS,
+    FAMILIES,
+    ROTATION,
+    SECOND_LAW,
+    TWISTS,
+    UNTWISTED,
+    Equation,
+)
 from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.behind import behind
@@ -20,24 +31,31 @@ from rotsolve.search.answers import Answered
 from rotsolve.search.planning import FORCES
 from rotsolve.search.search import Search
 
+BY_IMPULSES = (BLOWS, TWISTS, UNTWISTED)
 SHORT = 15  # nodes of what an acceleration comes to that is put into a law
 
 
-class Putting(Struct, frozen=True):
-    """A step: letters that equations tell are put into another one; None is the law of the way itself."""
+class Written(Struct, frozen=True):
+    """A law of the pool as a second way writes it, with what is said beside it."""
 
-    into: Equation | None
-    put: tuple[tuple[Formula, Equation | None], ...]  # a letter told by a step of the way itself has no equation
+    law: Equation
+    equality: Equality
+    remark: Words = ()
+
+
+class Putting(Struct, frozen=True):
+    """A step: letters that equations tell are put into another one, each of the page or, by its place, of the way itself."""
+
+    into: Equation | int
+    put: tuple[tuple[Formula, Equation | int | None], ...]  # a letter that a step tells has no equation
     chain: tuple[Equality, ...]
 
 
 class SecondWay(Struct, frozen=True):
-    """An answer once more: why it is another way, the law, written as it stands there, and the steps from that to the answer."""
+    """An answer once more: what makes it another way, its laws, and the steps from those to the answer."""
 
     why: Words
-    law: Equation
-    written: Equality
-    remark: Words
+    laws: tuple[Written, ...]
     steps: tuple[Putting, ...]
 
 
@@ -48,7 +66,7 @@ def called(item: Answered) -> Formula:
 
 def second_way(told: Sequence[Answered], search: Search) -> SecondWay | None:
     """The first answer of which there is one that is short."""
-    ways = (way for item in told for way in (about_contact(item, search), by_another_law(item, search)))
+    ways = (find(item, search) for item in told for find in (about_contact, by_another_law, by_impulse))
     return next((way for way in ways if way is not None), None)
 
 
@@ -66,8 +84,10 @@ def about_contact(item: Answered, search: Search) -> SecondWay | None:
         steps = contact_steps(item, law, laws, search) if alone else ()
         if steps and is_zero(search.solver.with_found(law.left - law.right)):
             body = spoken(law.bodies[0])
-            why = f"About the point of contact no force has a torque on {body} that is unknown, and one equation will do."
-            return SecondWay((why,), law, Equality(law.left, law.right), law.remark, steps)
+            why = (
+                f"About the point of contact no force has a torque on {body} that is unknown, and one equation will do."
+            )
+            return SecondWay((why,), (Written(law, Equality(law.left, law.right), law.remark),), steps)
     return None
 
 
@@ -76,17 +96,23 @@ def contact_steps(item: Answered, law: Equation, laws: Sequence[Equation], searc
     (rate,), letter = of_kinds(law.symbols(), ACCELERATIONS) or ("",), item.asked.letter
     put = [(Symbol(name), told) for name in of_kinds(law.symbols(), ("inertia",)) for told in tellings(name, laws)]
     if rate != letter:
-        ties = [tie for tie in tellings(rate, laws) if {name for name in tie.right.symbols() if is_key(name)} == {letter}]
+        ties = [
+            tie for tie in tellings(rate, laws) if {name for name in tie.right.symbols() if is_key(name)} == {letter}
+        ]
         if not ties:
             return ()
         put.append((Symbol(rate), ties[0]))
     found, values = item.found.formula, {symbol.name: told.right for symbol, told in put}
-    if found is None or has_quantities(found) or any(has_quantities(values[name.name]) for name, _ in put if name.name != rate):
+    if (
+        found is None
+        or has_quantities(found)
+        or any(has_quantities(values[name.name]) for name, _ in put if name.name != rate)
+    ):
         return ()
     left, right = law.left, with_factors(law.right, values, letter, search)
     summed = with_sums_done(right, search)
     chain = dict.fromkeys((Equality(left, right), Equality(left, summed), Equality(Symbol(letter), found)))
-    return (Putting(None, tuple(put), tuple(chain)),)
+    return (Putting(0, tuple(put), tuple(chain)),)
 
 
 def tellings(name: str, laws: Sequence[Equation]) -> Iterator[Equation]:
@@ -106,7 +132,9 @@ def with_sums_done(product: Formula, search: Search) -> Formula:
     factors = product.factors if isinstance(product, Product) else (product,)
     done = (search.solver.simplify(one) if isinstance(one, Sum) else one for one in factors)
     found = multiply(*done)
-    return product if any(isinstance(one, Sum) for one in (found.factors if isinstance(found, Product) else ())) else found
+    return (
+        product if any(isinstance(one, Sum) for one in (found.factors if isinstance(found, Product) else ())) else found
+    )
 
 
 def by_another_law(item: Answered, search: Search) -> SecondWay | None:
@@ -129,9 +157,9 @@ def by_another_law(item: Answered, search: Search) -> SecondWay | None:
             if isinstance(right, Negative):
                 left, right = search.solver.simplify(negate(left)), right.operand
             steps = second_law_steps(item, Equality(left, right), laws, search)
-            told: Words = (unsigned(tied) or tied, f" is the acceleration of its centre of mass")
-            why = ("Newton's second law gives the same ", called(item), ".")
-            return SecondWay(why, law, Equality(left, right), told, steps) if steps else None
+            told: Words = (unsigned(tied) or tied, " is the acceleration of its centre of mass")
+            why = ("Newton's second law gives ", called(item), " too, with the acceleration that the body has.")
+            return SecondWay(why, (Written(law, Equality(left, right), told),), steps) if steps else None
     return None
 
 
@@ -153,15 +181,66 @@ def second_law_steps(
             chain = (
                 Equality(written.left, right),
                 Equality(written.left, search.solver.simplify(right)),
-                Equality(called_as(item), found),
+                Equality(Symbol(item.asked.letter), found),
             )
-            return (first, Putting(None, ((Symbol(rates[0]), None),), tuple(dict.fromkeys(chain))))
+            return (first, Putting(0, ((Symbol(rates[0]), None),), tuple(dict.fromkeys(chain))))
     return ()
 
 
-def called_as(item: Answered) -> Formula:
-    """The letter of an answer in the laws."""
-    return Symbol(item.asked.letter)
+def by_impulse(item: Answered, search: Search) -> SecondWay | None:
+    """A velocity behind an event by the one impulse on a body, where the plan had angular momentum conserved, in which that has no say."""
+    laws = list(behind(item, search))
+    kept = {law.section for law in laws if law.family == ANGULAR_MOMENTUM and law.law not in BY_IMPULSES}
+    printed = {name for law in laws for name in law.symbols()}
+    pool = [law for law in search.planner.pool if law.section in kept and law.law in BY_IMPULSES]
+    for pushed in (law for law in pool if law.law == BLOWS):
+        for twisted in (law for law in pool if law.law != BLOWS and law.bodies == pushed.bodies):
+            more = [{name for name in law.symbols() - printed if is_key(name)} for law in (pushed, twisted)]
+            if more[0] == more[1] and len(more[0]) == 1 and len(pushed.bodies) == 1:
+                steps = impulse_steps(item, (pushed, twisted), next(iter(more[0])), laws, search)
+                body, impulse = spoken(pushed.bodies[0]), Symbol(next(iter(more[0])))
+                why = (
+                    "Whatever the force is like, its impulse ",
+                    impulse,
+                    f" changes how {body} moves and how it turns.",
+                )
+                own = tuple(Written(law, Equality(law.left, law.right)) for law in (pushed, twisted))
+                return SecondWay(why, own, steps) if steps else None
+    return None
+
+
+def impulse_steps(
+    item: Answered, pair: tuple[Equation, Equation], impulse: str, laws: Sequence[Equation], search: Search
+) -> tuple[Putting, ...]:
+    """The impulse from the change of momentum, put into that of the angular momentum with what ties both motions together."""
+    pushed, twisted = pair
+    letter, found, values = item.asked.letter, item.found.formula, dict[str, Formula]()
+    put: list[tuple[Formula, Equation | int | None]] = [(Symbol(impulse), None)]
+    told = told_linearly(impulse, pushed, search)
+    if told is None or found is None or has_quantities(found):
+        return ()
+    for name in sorted(name for name in pushed.symbols() | twisted.symbols() if is_key(name)):
+        if name not in (impulse, letter):
+            ties = [
+                law
+                for law in laws
+                if not law.family and {key for key in law.symbols() if is_key(key)} == {name, letter}
+            ]
+            value = told_linearly(name, ties[0], search) if ties else None
+            if value is None:
+                return ()
+            values[name] = value
+            put.append((Symbol(name), ties[0]))
+    left, right = (side.substitute({impulse: told}).substitute(values) for side in (twisted.left, twisted.right))
+    if not is_zero((left - right).substitute({letter: found})):
+        return ()
+    first = Putting(0, (), (Equality(Symbol(impulse), told),))
+    return (first, Putting(1, tuple(put), (Equality(left, right), Equality(Symbol(letter), found))))
+
+
+def told_linearly(name: str, law: Equation, search: Search) -> Formula | None:
+    """What an equation tells a letter to be that it holds as a factor alone."""
+    return solve_linear(law.left - law.right, name, order=search.solver.order, positive=search.solver.positive)
 
 
 def found_for(name: str, search: Search) -> Formula:

@@ -200,4 +200,17 @@ def elements(spread: Spread, cut: Slicing, sigma: Formula, over: str = LINE) -> 
     size = ". Unrolled, each is a strip as long as its circumference, of " if unrolled else ", each of "
     own: Words = (f"{size}{DENSITY[over][1]}", SHOWN, f"d{letter} = ", spread.tidy(cut.weight), *width, SHOWN)
     per: Words = (", as ", sigma, f" is the mass per {DENSITY[over][1]},") if isinstance(sigma, Symbol) else ()
-    return ("Cut into ", *cut.element, *own, "and", *per, " of mass", SHOWN, "dm = ", sigma, f" d{letter} = ", adds, *width)
+    return (
+        "Cut into ",
+        *cut.element,
+        *own,
+        "and",
+        *per,
+        " of mass",
+        SHOWN,
+        "dm = ",
+        sigma,
+        f" d{letter} = ",
+        adds,
+        *width,
+    )
