@@ -192,7 +192,7 @@ class Check(Struct, frozen=True):
     """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed.
 
     What is said of a letter that is `vanishing` goes for a case that holds however small it is, of one that is `growing` however large.
-    A second way goes by a `law` of FAMILIES; what is `bare` says that all agrees, and
+    What is a `limit` stands by itself. A second way goes by a `law` of FAMILIES; what is `bare` says that all agrees, and
     shows nothing of it. `more` says that letters have more cases, which are not worked out.
     """
 
@@ -201,6 +201,7 @@ class Check(Struct, frozen=True):
     label: str = ""
     vanishing: str = ""
     growing: str = ""
+    limit: bool = False
     law: str = ""
     bare: bool = False
     more: bool = False

@@ -93,7 +93,9 @@ class DerivationPage(Page, frozen=True):
         if derivation.refused:
             yield Title(2, ("Not answered",))
             yield Bullets(tuple(map(refusal_bullet, derivation.refused)))
-        checks = derivation.checks if self.detail == FULL else tuple(in_short(derivation.checks))
+        yield from limit_blocks(derivation.checks)
+        rest = [check for check in derivation.checks if not check.limit]
+        checks = tuple(rest if self.detail == FULL else in_short(rest))
         if checks:
             yield Title(2, ("Checks",))
             yield Checks(checks)
@@ -125,6 +127,14 @@ class DerivationPage(Page, frozen=True):
         from rotsolve.page.data import derivation_data
 
         return {"file": self.file, **derivation_data(self.derivation, self.digits)}
+
+
+def limit_blocks(checks: Iterable[Check]) -> Iterator[PageBlock]:
+    """What answers come to at the ends of what a letter may be, one a line."""
+    limits = tuple(Bullet(check.words) for check in checks if check.limit)
+    if limits:
+        yield Title(2, ("Limits",))
+        yield Bullets(limits)
 
 
 def in_short(checks: Iterable[Check]) -> Iterator[Check]:
