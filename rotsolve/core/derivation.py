@@ -112,7 +112,7 @@ class Move(Struct, frozen=True):
 
     `reason` says why where a choice is made ("the rod turns clockwise: ω < 0"). What is `put` into which equation stands there letter by
     letter; nothing for what is no step of that kind. Of an equation solved before, `another` root is meant. `divisor` is the equation by
-    which it was divided.
+    which it was divided. Behind what is put in, several letters that hang on others, `alone` is all that is unknown.
     """
 
     sources: str
@@ -123,6 +123,7 @@ class Move(Struct, frozen=True):
     into: str = ""
     another: bool = False
     divisor: str = ""
+    alone: Formula | None = None
 
 
 class Section(Struct, frozen=True):

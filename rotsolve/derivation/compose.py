@@ -168,6 +168,7 @@ def mark_name(ref: Ref, names: Mapping[str, str]) -> str:
     return names.get(str(ref[1]), str(ref[1]))
 
 
+SEVERAL = 2  # letters that hang on others
 SENTENCES = (ENERGY, ANGULAR_MOMENTUM, LAGRANGE)  # the remarks of these laws are sentences of their own
 
 
@@ -227,7 +228,7 @@ class DerivationComposer:
             equations_written=len(self.search.equations),
             equations_used=sum(1 for draft in self.drafts for _ in self._once(draft.laws)),
             trials=trials,
-            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone(), twice=way is not None))),
+            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone(), way))),
             second=() if way is None else (self._second(way),),
         )
 
@@ -334,7 +335,16 @@ class DerivationComposer:
         others = (ref for ref in step.sources if into and ref not in own and self._mark(ref) not in ("", into))
         put = dict.fromkeys(self._cited(ref, step) for ref in others)
         divisor = self._mark(step.divisor) if step.divisor else ""
-        return Move(sources, chain, number, reason, tuple(put), into, divisor=divisor)
+        return Move(sources, chain, number, reason, tuple(put), into, divisor=divisor, alone=self._alone(step))
+
+    def _alone(self, step: Step) -> Formula | None:
+        """The one unknown that is left where several letters that hang on others are put in."""
+        keys = {name for name in step.chain[0].left.symbols() | step.chain[0].right.symbols() if is_key(name)}
+        others = [ref for ref in step.sources if ref != step.target]
+        hanging = [ref for ref in others if len([*filter(is_key, self._told_by(ref))]) > 1]
+        if keys != {step.result} or len(hanging) < SEVERAL or step.divisor:
+            return None
+        return self.letters.printed(Symbol(step.result))
 
     def _written(self, ref: Ref) -> Equality | None:
         """An equation as it stands among the laws."""

@@ -25,7 +25,8 @@ from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
-from rotsolve.derivation.second_ways import called
+from rotsolve.derivation.second_ways import SecondWay, called
+from rotsolve.derivation.tempting import by_way_of_the_centre
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -47,9 +48,9 @@ def told_in_letters(search: Search) -> list[Answered]:
     return [item for item in search.wholes() if item.found.formula is not None and not item.asked.find.runs]
 
 
-def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]], *, twice: bool = False) -> Iterator[Words]:
+def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]], way: SecondWay | None = None) -> Iterator[Words]:
     """Sentences about the answers, the most telling kinds first, each kind once or twice; `alone` are bodies with the one force that turns
-    them. What is found `twice` needs none about its second way."""
+    them. What has a second `way` needs none about the point of contact."""
     told = told_in_letters(search)
     lawful = [item for item in told if any(law.family for law in behind(item, search))]
     yield from cancelled(lawful, search)
@@ -58,8 +59,9 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]], *, twice:
     yield from beside_weights(lawful, search)
     yield from energy_lost(search)
     yield from opposite_energies(told, search)
+    yield from by_way_of_the_centre(told, search)
     yield from beside_a_ring(told, search)
-    yield from () if twice else about_contacts(told, search)
+    yield from about_contacts(told, search) if way is None else filter(None, (way.aside,))
     yield from by_friction_alone(alone, told, search)
 
 

@@ -9,7 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import Formula, Negative, Product, Sum, Symbol, multiply, negate
+from rotsolve.algebra.formula import Formula, Negative, Number, Product, Sum, Symbol, multiply, negate
 from rotsolve.algebra.notation.text import unsigned
 from rotsolve.algebra.units.dimension import ACCELERATION, ANGULAR_ACCELERATION, FORCE
 from rotsolve.core.derivation import Equality, Words
@@ -24,14 +24,18 @@ from rotsolve.core.equation import (
     UNTWISTED,
     Equation,
 )
-from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, key_of, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.behind import behind
+from rotsolve.language.problem import Path
+from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
 from rotsolve.search.planning import FORCES
 from rotsolve.search.search import Search
 
 BY_IMPULSES = (BLOWS, TWISTS, UNTWISTED)
+ENDS = ("start", "end")
 SHORT = 15  # nodes of what an acceleration comes to that is put into a law
 
 
@@ -57,6 +61,7 @@ class SecondWay(Struct, frozen=True):
     why: Words
     laws: tuple[Written, ...]
     steps: tuple[Putting, ...]
+    aside: Words = ()  # what its accelerations say besides
 
 
 def called(item: Answered) -> Formula:
@@ -150,17 +155,47 @@ def by_another_law(item: Answered, search: Search) -> SecondWay | None:
             continue
         more = [name for name in law.symbols() - moved - {letter} if is_key(name)]
         tied = told_by_relation(more[0], moved, law.section, search) if len(more) == 1 else None
-        if tied is None:
-            continue
-        left, right = (side.substitute({more[0]: tied}) for side in (law.left, law.right))
-        if is_zero(search.solver.with_found(left - right)):
-            if isinstance(right, Negative):
-                left, right = search.solver.simplify(negate(left)), right.operand
-            steps = second_law_steps(item, Equality(left, right), laws, search)
-            told: Words = (unsigned(tied) or tied, " is the acceleration of its centre of mass")
-            why = ("Newton's second law gives ", called(item), " too, with the acceleration that the body has.")
-            return SecondWay(why, (Written(law, Equality(left, right), told),), steps) if steps else None
+        if tied is not None and is_zero(search.solver.with_found((law.left - law.right).substitute({more[0]: tied}))):
+            return with_tie(item, law, {more[0]: tied}, laws, search)
     return None
+
+
+def with_tie(
+    item: Answered, law: Equation, tie: dict[str, Formula], laws: Sequence[Equation], search: Search
+) -> SecondWay | None:
+    """Newton's second law with what a relation tells its acceleration to be."""
+    (tied,), (left, right) = tie.values(), (side.substitute(tie) for side in (law.left, law.right))
+    if isinstance(right, Negative):
+        left, right = search.solver.simplify(negate(left)), right.operand
+    steps = second_law_steps(item, Equality(left, right), laws, search)
+    told: Words = (unsigned(tied) or tied, " is the acceleration of its centre of mass")
+    why = ("Newton's second law gives ", called(item), " too, once the acceleration is known.")
+    aside = beyond_free_fall(law, tie, search)
+    return SecondWay(why, (Written(law, Equality(left, right), told),), steps, aside) if steps else None
+
+
+def beyond_free_fall(law: Equation, tie: dict[str, Formula], search: Search) -> Words:
+    """That an end of a slender body falls faster than what falls freely."""
+    gravity, (body,), component = (
+        search.scene.configuration.problem.gravity,
+        law.bodies[:1],
+        key_of(next(iter(tie))).component,
+    )
+    for point in ENDS if gravity is not None and component == "y" else ():
+        try:
+            path = Path(body, "acceleration", point=point, component=component)
+            meant = search.scene.reader(law.section).meaning(path).formula.substitute(tie)
+        except (NotYet, Unsolvable):
+            return ()
+        down = unsigned(search.solver.simplify(search.solver.with_found(meant)))
+        ratio = None if down is None or gravity is None else search.solver.simplify(down / gravity)
+        if down is not None and isinstance(ratio, Number) and ratio.value > 1:
+            return (
+                f"the {point} of {spoken(body)} falls with the acceleration ",
+                down,
+                ", faster than what falls freely",
+            )
+    return ()
 
 
 def second_law_steps(

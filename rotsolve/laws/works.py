@@ -43,20 +43,12 @@ def works_spelled(over: OverPhase) -> Iterator[Equation]:
             way, words = gone(apart)
             yield WORK.equation(work.amount, apart.force * way, *where, words, owner=owner)
         else:
-            wrong = apart.force * apart.along
             counts = (
                 f"What counts for the work of {owner} is the way ",
                 work.slide,
                 " by which the touching point slides, ",
             )
-            words = (
-                *counts,
-                "not the way ",
-                apart.along,
-                " of the centre: the body turns meanwhile, and ",
-                wrong,
-                " is wrong.",
-            )
+            words = (*counts, "not the way ", apart.along, " of the centre, as the body turns meanwhile.")
             yield WORK.equation(work.amount, apart.force * work.slide, *where, words, owner=owner)
             yield WAY_OF_SLIP.equation(work.slide, slid[0], *where, slid[1], owner="the touching point")
 

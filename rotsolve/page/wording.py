@@ -21,7 +21,8 @@ def said_of_step(move: Move) -> Phrase:
     if not move.put:
         return (f"From {move.into}",)
     front = ", constants in front of the integral" if integral_alone(move) else ""
-    return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}{front}")
+    left: Phrase = () if move.alone is None else (", so that only ", move.alone, " is unknown")
+    return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}{front}", *left)
 
 
 def integral_alone(move: Move) -> bool:
