@@ -342,7 +342,7 @@ class DerivationComposer:
         keys = {name for name in step.chain[0].left.symbols() | step.chain[0].right.symbols() if is_key(name)}
         others = [ref for ref in step.sources if ref != step.target]
         hanging = [ref for ref in others if len([*filter(is_key, self._told_by(ref))]) > 1]
-        if keys != {step.result} or len(hanging) < SEVERAL or step.divisor:
+        if keys != {step.result} or len(hanging) < SEVERAL or step.divisor or step.chain[0].left == Symbol(step.result):
             return None
         return self.letters.printed(Symbol(step.result))
 

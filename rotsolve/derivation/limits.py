@@ -67,7 +67,7 @@ def limit_checks(search: Search) -> Iterator[Check]:
         else:
             said = (Symbol(towards.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
             meant = meaning(answered, value, towards)
-            yield Check((*said, f": {meant}") if meant else said, vanishing=towards.name, limit=True)
+            yield Check((*said, f": {meant}") if meant else said, vanishing=towards.name, limit=bool(meant))
 
 
 def vanishing_letters(

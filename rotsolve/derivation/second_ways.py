@@ -89,9 +89,7 @@ def about_contact(item: Answered, search: Search) -> SecondWay | None:
         steps = contact_steps(item, law, laws, search) if alone else ()
         if steps and is_zero(search.solver.with_found(law.left - law.right)):
             body = spoken(law.bodies[0])
-            why = (
-                f"About the point of contact no force has a torque on {body} that is unknown, and one equation will do."
-            )
+            why = f"About the point of contact no unknown force turns {body}: one equation is enough."
             return SecondWay((why,), (Written(law, Equality(law.left, law.right), law.remark),), steps)
     return None
 
