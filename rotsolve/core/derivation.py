@@ -112,7 +112,8 @@ class Move(Struct, frozen=True):
 
     `reason` says why where a choice is made ("the rod turns clockwise: ω < 0"). What is `put` into which equation stands there letter by
     letter; nothing for what is no step of that kind. Of an equation solved before, `another` root is meant. `divisor` is the equation by
-    which it was divided. Behind what is put in, several letters that hang on others, `alone` is all that is unknown.
+    which it was divided. Behind what is put in, several letters that hang on others, `alone` is all that is unknown; where one
+    equation is divided by another it is what cancels.
     """
 
     sources: str

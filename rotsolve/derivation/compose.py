@@ -30,7 +30,7 @@ from rotsolve.core.derivation import (
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.symbols import COORDINATE, TIME, is_key, key_of
+from rotsolve.core.symbols import ACCELERATIONS, COORDINATE, TIME, is_key, key_of, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
@@ -340,9 +340,16 @@ class DerivationComposer:
     def _alone(self, step: Step) -> Formula | None:
         """The one unknown that is left where several letters that hang on others are put in."""
         keys = {name for name in step.chain[0].left.symbols() | step.chain[0].right.symbols() if is_key(name)}
+        if step.divisor:
+            gone = [
+                name
+                for name in self._told_by(step.target) & self._told_by(step.divisor) - keys
+                if of_kinds([name], ACCELERATIONS)
+            ]
+            return self.letters.printed(Symbol(gone[0])) if len(gone) == 1 else None
         others = [ref for ref in step.sources if ref != step.target]
         hanging = [ref for ref in others if len([*filter(is_key, self._told_by(ref))]) > 1]
-        if keys != {step.result} or len(hanging) < SEVERAL or step.divisor or step.chain[0].left == Symbol(step.result):
+        if keys != {step.result} or len(hanging) < SEVERAL or step.chain[0].left == Symbol(step.result):
             return None
         return self.letters.printed(Symbol(step.result))
 

@@ -139,7 +139,7 @@ def meaning(item: Answered, value: Formula, towards: Towards) -> str:
         if item.asked.dimension == FORCE:
             own = item.asked.letter in law.left.symbols()
             held = f"the force bears the whole weight: {body} does not begin to fall"
-            free = f"with no force to bear it {body} falls freely"
+            free = f"{body} falls freely, as if nothing bore it"
             return "" if not own else free if value == ZERO else held if is_zero(value - weight) else ""
         if item.asked.letter in law.right.symbols() and gravity is not None and is_zero(value - gravity):
             return f"{body} falls freely"

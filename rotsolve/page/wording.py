@@ -17,7 +17,8 @@ def said_of_step(move: Move) -> Phrase:
         return (f"Another root of {move.into}",)
     if move.divisor:
         told = (", with ", *enumerated(cited_phrases(move.put))) if move.put else ()
-        return (f"Divide {move.into} by {move.divisor}", *told)
+        gone: Phrase = () if move.alone is None else (", so that ", move.alone, " cancels")
+        return (f"Divide {move.into} by {move.divisor}", *gone, *told)
     if not move.put:
         return (f"From {move.into}",)
     front = ", constants in front of the integral" if integral_alone(move) else ""
