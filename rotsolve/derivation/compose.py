@@ -39,7 +39,7 @@ from rotsolve.derivation.insights import insights, told_in_letters
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.one_letter import one_letter_for, said_alike
 from rotsolve.derivation.results import LONG, Results, readable, without_reordered
-from rotsolve.derivation.second_ways import Putting, SecondWay, second_way
+from rotsolve.derivation.second_ways import second_way
 from rotsolve.derivation.sought import sought_words
 from rotsolve.language.problem import Condition, Path, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
@@ -203,6 +203,7 @@ class DerivationComposer:
         self.numbers = self._numbers()
         self.results = Results(search, self.letters, at)
         self.told: set[Words] = set()  # sentences about a whole scene, which are told once
+        self.way = second_way(told_in_letters(search), search)
 
     def derivation(
         self, checks: tuple[Check, ...], before: tuple[Section, ...] = (), trials: tuple[Trial, ...] = ()
@@ -212,7 +213,6 @@ class DerivationComposer:
         if len(sections) == 1:
             sections = [replace(sections[0], title="")]
         numbered = [given for given in self.problem.givens if given.value is not None]
-        way = second_way(told_in_letters(self.search), self.search)
         return Derivation(
             title=self.problem.title,
             source=self.problem.source,
@@ -228,41 +228,17 @@ class DerivationComposer:
             equations_written=len(self.search.equations),
             equations_used=sum(1 for draft in self.drafts for _ in self._once(draft.laws)),
             trials=trials,
-            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone(), way))),
-            second=() if way is None else (self._second(way),),
+            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone(), self.way))),
+            second=self._second(),
         )
 
-    def _second(self, way: SecondWay) -> Section:
-        """A second way with its laws behind all that are numbered, and with names for letters that nothing else prints."""
-        first = max(self.numbers.values(), default=self.first - 1) + 1
-        letters = {
-            name for one in way.laws for side in (one.equality.left, one.equality.right) for name in side.symbols()
-        }
-        if any(is_key(name) and name not in self.letters.names for name in letters):
-            from rotsolve.derivation.stages import all_names
+    def _second(self) -> tuple[Section, ...]:
+        """The second way to an answer."""
+        if self.way is None:
+            return ()
+        from rotsolve.derivation.second_told import second_section
 
-            self.letters.names |= {
-                name: text for name, text in all_names(self.search, self.letters).items() if name in letters
-            }
-        laws = tuple(
-            LawLine(number, one.law.label, self._equal(one.equality), self.letters.words(one.remark), one.law.law.name)
-            for number, one in enumerate(way.laws, first)
-        )
-        moves = tuple(self._put(step, first) for step in way.steps)
-        return Section("", remarks=(self.letters.words(way.why),), laws=laws, moves=moves)
-
-    def _put(self, step: Putting, first: int) -> Move:
-        """A step of a second way, whose laws are numbered from the `first` on."""
-        marks = {id(self.pool[int(index)]): f"({n})" for (kind, index), n in self.numbers.items() if kind == "law"}
-
-        def mark(law: Equation | int | None) -> str:
-            return f"({law + first})" if isinstance(law, int) else marks.get(id(law), "")
-
-        cited = tuple(Cited(self.letters.printed(letter), mark(law)) for letter, law in step.put)
-        return Move("", tuple(map(self._equal, step.chain)), put=cited, into=mark(step.into))
-
-    def _equal(self, equality: Equality) -> Equality:
-        return Equality(self._shown(equality.left), self._shown(equality.right), equality.relation)
+        return (second_section(self.way, self),)
 
     def _turned_alone(self) -> Iterator[tuple[BodyFacts, Force]]:
         """The bodies that one force alone turns, with that force."""
@@ -311,7 +287,7 @@ class DerivationComposer:
         return LawLine(
             self.numbers[("law", index)],
             equation.label,
-            Equality(self._shown(equation.left), self._shown(equation.right), equation.relation),
+            Equality(self.shown(equation.left), self.shown(equation.right), equation.relation),
             self.letters.words(remark),
             equation.law.name,
             equation.family,
@@ -320,7 +296,7 @@ class DerivationComposer:
 
     def _move(self, step: Step) -> Move:
         chain = without_reordered(
-            [Equality(self._shown(one.left), self._shown(one.right)) for one in readable(step.chain)]
+            [Equality(self.shown(one.left), self.shown(one.right)) for one in readable(step.chain)]
         )
         if len(chain) > 1 and not isinstance(chain[0].left, Symbol) and chain[0] == self._written(step.target):
             chain = chain[1:]  # what is put in is a number
@@ -357,7 +333,7 @@ class DerivationComposer:
         """An equation as it stands among the laws."""
         return self._law(int(ref[1])).equation if ref[0] == "law" and ref in self.numbers else None
 
-    def _shown(self, formula: Formula) -> Formula:
+    def shown(self, formula: Formula) -> Formula:
         """A formula in printed letters, without bars round what the numbers tell the sign of: −ω for |ω| of what turns clockwise."""
         return self.letters.printed(formula.transform(partial(unbarred_by_value, results=self.results), "abs"))
 

@@ -26,7 +26,6 @@ from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
 from rotsolve.derivation.second_ways import SecondWay, called
-from rotsolve.derivation.tempting import by_way_of_the_centre
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -59,7 +58,7 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]], way: Seco
     yield from beside_weights(lawful, search)
     yield from energy_lost(search)
     yield from opposite_energies(told, search)
-    yield from by_way_of_the_centre(told, search)
+    yield from way_of_the_centre(told, search)
     yield from beside_a_ring(told, search)
     yield from about_contacts(told, search) if way is None else filter(None, (way.aside,))
     yield from by_friction_alone(alone, told, search)
@@ -347,6 +346,14 @@ def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
             felt: Words = () if back or used or not right <= printed else (", which is ", law.right)
             yield (f"{where}, {spoken(body.name)} is turned {turns} by ", torque, *felt)
             return
+
+
+def way_of_the_centre(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """The mistake to which the work of a force on a point that slides invites, where it is asked for."""
+    if any(work.slide is not None for passage in search.scene.passages.values() for work in passage.works):
+        from rotsolve.derivation.tempting import by_way_of_the_centre
+
+        yield from by_way_of_the_centre(told, search)
 
 
 def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:

@@ -112,7 +112,9 @@ def as_mass_spreads(name: str, search: Search) -> Iterator[Check]:
             meant |= dict.fromkeys(filter(None, (meaning(item, value, towards),)))
         if not told:
             continue
-        meant |= dict.fromkeys(filter(None, (stopped(body, towards) for body in spread_bodies(name, search) if grows)))
+        meant |= dict.fromkeys(
+            filter(None, (slid_to_rest(body, towards) for body in spread_bodies(name, search) if grows))
+        )
         behind = (f": {'; '.join(meant)}",) if meant else ()
         yield Check(
             (Symbol(name), where, *told, *behind),
@@ -146,7 +148,7 @@ def meaning(item: Answered, value: Formula, towards: Towards) -> str:
     return ""
 
 
-def stopped(body: Body, towards: Towards) -> str:
+def slid_to_rest(body: Body, towards: Towards) -> str:
     """Whether a body that moves without turning at first has come to rest at last: it is not set turning."""
     states = [state.name for state in towards.search.scene.configuration.timeline.states]
     rates = [rate_at(body, quantity, states[0], towards) for quantity in ("velocity", "angular_velocity")]

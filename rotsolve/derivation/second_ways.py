@@ -71,11 +71,11 @@ def called(item: Answered) -> Formula:
 
 def second_way(told: Sequence[Answered], search: Search) -> SecondWay | None:
     """The first answer of which there is one that is short."""
-    ways = (find(item, search) for item in told for find in (about_contact, by_another_law, by_impulse))
+    ways = (find(item, search) for item in told for find in (rate_about_contact, by_another_law, by_impulse))
     return next((way for way in ways if way is not None), None)
 
 
-def about_contact(item: Answered, search: Search) -> SecondWay | None:
+def rate_about_contact(item: Answered, search: Search) -> SecondWay | None:
     """The same rate by Newton's law for rotation about the point of contact, where that took those about the centre of mass."""
     laws = list(behind(item, search))
     printed, sections = {name for law in laws for name in law.symbols()}, {law.section for law in laws}
@@ -252,23 +252,25 @@ def impulse_steps(
     told = told_linearly(impulse, pushed, search)
     if told is None or found is None or has_quantities(found):
         return ()
-    for name in sorted(name for name in pushed.symbols() | twisted.symbols() if is_key(name)):
-        if name not in (impulse, letter):
-            ties = [
-                law
-                for law in laws
-                if not law.family and {key for key in law.symbols() if is_key(key)} == {name, letter}
-            ]
-            value = told_linearly(name, ties[0], search) if ties else None
-            if value is None:
-                return ()
-            values[name] = value
-            put.append((Symbol(name), ties[0]))
+    for name in sorted({name for law in pair for name in law.symbols() if is_key(name)} - {impulse, letter}):
+        ties = [*tellings(name, laws)] if of_kinds([name], ("inertia",)) else [*ties_between(name, letter, laws)]
+        value = told_linearly(name, ties[0], search) if ties else None
+        if value is None:
+            return ()
+        values[name] = value
+        put.append((Symbol(name), ties[0]))
     left, right = (side.substitute({impulse: told}).substitute(values) for side in (twisted.left, twisted.right))
     if not is_zero((left - right).substitute({letter: found})):
         return ()
     first = Putting(0, (), (Equality(Symbol(impulse), told),))
     return (first, Putting(1, tuple(put), (Equality(left, right), Equality(Symbol(letter), found))))
+
+
+def ties_between(name: str, letter: str, laws: Sequence[Equation]) -> Iterator[Equation]:
+    """The rules that hold two letters alone, as v = R ω."""
+    for law in laws:
+        if not law.family and {key for key in law.symbols() if is_key(key)} == {name, letter}:
+            yield law
 
 
 def told_linearly(name: str, law: Equation, search: Search) -> Formula | None:

@@ -30,7 +30,7 @@ def given_back(name: Formula, work: Formula, apart: ByItsPoint, search: Search) 
     tempting = apart.force * apart.along
     taken = search.solver.simplify(search.solver.with_found(tempting))
     given = search.solver.simplify(work - taken)
-    if not has_quantities(taken) and sign_of(taken, search) == -1 and sign_of(given, search) == 1:
+    if not has_quantities(taken) and surely_signed(taken, search) == -1 and surely_signed(given, search) == 1:
         yield (
             "a mistake that is often made: ",
             name,
@@ -44,7 +44,7 @@ def given_back(name: Formula, work: Formula, apart: ByItsPoint, search: Search) 
         )
 
 
-def sign_of(value: Formula, search: Search) -> int | None:
+def surely_signed(value: Formula, search: Search) -> int | None:
     """The sign of a formula; the pure numbers of moments of inertia are positive."""
     inertias = (body.inertia for body in search.scene.configuration.problem.bodies if body.inertia is not None)
     names = frozenset[str]().union(

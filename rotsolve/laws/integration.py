@@ -173,7 +173,14 @@ def integral_of(
         adds = spread.tidy(multiply(multiply(sigma, cut.weight), second))
         away = ("All of each is at the same distance ", plain[second], " from the axis, so that it adds")
         shown = (SHOWN, "dI = ", second, " dm = ", adds, *differentials(cut))
-        each = (*away, *shown, SHOWN, "The moment of inertia is the sum of what all add: an integral", *ends(cut), ".")
+        each = (
+            *away,
+            *shown,
+            SHOWN,
+            "The moment of inertia is the sum of what all add: an integral",
+            *from_end_to_end(cut),
+            ".",
+        )
     return integral, label, (*elements(spread, cut, sigma, piece.shape.spread), NEXT, *each)
 
 
@@ -182,7 +189,7 @@ def differentials(cut: Slicing) -> Words:
     return tuple(part for item in cut.ranges for part in (" d", item.variable))
 
 
-def ends(cut: Slicing) -> Words:
+def from_end_to_end(cut: Slicing) -> Words:
     """From where to where a single variable goes."""
     if len(cut.ranges) != 1:
         return ()

@@ -39,7 +39,7 @@ def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
         "sections": [section_data(section) for section in derivation.sections],
         "answers": [answer_data(answer, digits) for answer in derivation.answers],
         "refused": [refusal_data(refusal) for refusal in derivation.refused],
-        "second": [section_data(section) for section in derivation.second],
+        "second_solution": [section_data(section) for section in derivation.second],
         "remarks": [plain_text(words) for words in derivation.insights],
         "checks": [{"text": plain_text(check.words), "holds": check.holds} for check in derivation.checks],
         "confirmed": [
