@@ -14,11 +14,11 @@ from rotsolve.core.derivation import Check
 from rotsolve.core.equation import SECOND_LAW
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import Given
-from rotsolve.core.symbols import has_quantities
+from rotsolve.core.symbols import ACCELERATIONS, has_quantities, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.insights import energy_at, weight_in
 from rotsolve.derivation.ranges import in_proportion
-from rotsolve.language.problem import Body, Path
+from rotsolve.language.problem import Body, Path, Term
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search, is_unreal
@@ -128,7 +128,7 @@ def meaning(item: Answered, value: Formula, towards: Towards) -> str:
     """What a limit says of the motion, where the laws prove it; '' where it goes without saying."""
     search, terms = towards.search, item.asked.find.terms
     if item.asked.dimension == ENERGY and len(terms) == 1 and terms[0].modifier == "lost":
-        first = energy_at(search.scene.configuration.timeline.states[0].name, search)
+        first = energy_at(began(terms[0], search), search)
         whole = first is not None and first != ZERO and is_zero(value - first)
         return "no energy is lost" if value == ZERO else "all the kinetic energy is lost" if whole else ""
     if item.asked.dimension not in (FORCE, ACCELERATION):
@@ -139,7 +139,7 @@ def meaning(item: Answered, value: Formula, towards: Towards) -> str:
             continue
         body, gravity = spoken(law.bodies[0]), search.scene.configuration.problem.gravity
         if item.asked.dimension == FORCE:
-            own = item.asked.letter in law.left.symbols()
+            own = item.asked.letter in law.left.symbols() and bool(of_kinds(law.right.symbols(), ACCELERATIONS))
             held = f"the force bears the whole weight: {body} does not begin to fall"
             free = f"{body} falls freely, as if nothing bore it"
             return "" if not own else free if value == ZERO else held if is_zero(value - weight) else ""
@@ -148,24 +148,32 @@ def meaning(item: Answered, value: Formula, towards: Towards) -> str:
     return ""
 
 
+def began(term: Term, search: Search) -> str:
+    """The state from which on something is lost."""
+    timeline = search.scene.configuration.timeline
+    interval = None if term.during is None else timeline.interval(term.during)
+    return interval.start if interval is not None else term.start or timeline.states[0].name
+
+
 def slid_to_rest(body: Body, towards: Towards) -> str:
-    """Whether a body that moves without turning at first has come to rest at last: it is not set turning."""
+    """Whether a body that moves without turning at first has come to rest at last, as it is not set turning."""
     states = [state.name for state in towards.search.scene.configuration.timeline.states]
-    rates = [rate_at(body, quantity, states[0], towards) for quantity in ("velocity", "angular_velocity")]
+    moving, turning = (rate_at(body, quantity, states[0], towards) for quantity in ("velocity", "angular_velocity"))
     last = rate_at(body, "velocity", states[-1], towards)
-    if rates[0] in (None, ZERO) or rates[1] != ZERO or last != ZERO:
+    if moving in (None, ZERO) or turning != ZERO or last is None or towards.name not in last.symbols():
         return ""
-    return f"{spoken(body.name)} comes to rest, as a block would that can not be set turning"
+    rests = towards.limit(last) == ZERO
+    return f"{spoken(body.name)} comes to rest, as a block would that can not be set turning" if rests else ""
 
 
 def rate_at(body: Body, quantity: str, state: str, towards: Towards) -> Formula | None:
-    """What a rate of a body at a state comes to, where the answers tell it."""
+    """A rate of a body at a state in givens, where the answers tell it."""
     try:
         meant = towards.search.scene.reader(state).meaning(Path(body.name, quantity)).formula
     except (NotYet, Unsolvable):
         return None
     found = towards.search.solver.with_found(meant)
-    return None if has_quantities(found) else towards.limit(found)
+    return None if has_quantities(found) else found
 
 
 def spread_bodies(name: str, search: Search) -> Iterator[Body]:
