@@ -14,7 +14,7 @@ from rotsolve.core.derivation import Check
 from rotsolve.core.equation import SECOND_LAW
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import Given
-from rotsolve.core.symbols import ACCELERATIONS, has_quantities, of_kinds
+from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.insights import energy_at, weight_in
 from rotsolve.derivation.ranges import in_proportion
@@ -143,7 +143,8 @@ def meaning(item: Answered, value: Formula, towards: Towards) -> str:
             held = f"the force bears the whole weight: {body} does not begin to fall"
             free = f"{body} falls freely, as if nothing bore it"
             return "" if not own else free if value == ZERO else held if is_zero(value - weight) else ""
-        if item.asked.letter in law.right.symbols() and gravity is not None and is_zero(value - gravity):
+        alone = {name for name in law.right.symbols() if is_key(name)} == {item.asked.letter}
+        if alone and gravity is not None and is_zero(value - gravity):
             return f"{body} falls freely"
     return ""
 
