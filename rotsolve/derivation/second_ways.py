@@ -89,8 +89,8 @@ def rate_about_contact(item: Answered, search: Search) -> SecondWay | None:
         steps = contact_steps(item, law, laws, search) if alone else ()
         if steps and is_zero(search.solver.with_found(law.left - law.right)):
             body = spoken(law.bodies[0])
-            why = f"About the point of contact no unknown force turns {body}: one equation is enough."
-            return SecondWay((why,), (Written(law, Equality(law.left, law.right), law.remark),), steps)
+            why = f"About the point of contact no unknown force turns {body}, so that one equation is enough: "
+            return SecondWay((why, *law.remark, "."), (Written(law, Equality(law.left, law.right)),), steps)
     return None
 
 
