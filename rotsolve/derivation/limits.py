@@ -51,23 +51,19 @@ class Towards(Struct, frozen=True):
 
 
 def limit_checks(search: Search) -> Iterator[Check]:
-    """What becomes of an answer when a mass is left out, and when a pure number or an angle is nothing: of each the most telling one."""
+    """What becomes of an answer when a mass is left out, and when a pure number or an angle is nothing: of each the most telling one;
+    and of all answers when a mass is at the centre, and far out."""
     plain = not search.scene.modes  # else a body that slides may stick when an angle is small
     for dimensions, least in ((MASS,), 1), ((NONE, ANGLE), 0):
-        found = [
-            item
-            for item in vanishing_letters(search, dimensions)
-            if item[0] >= least and (least or plain or spreads(search.givens[item[1].name], search))
-        ]
-        if not found:
-            continue
-        _, towards, answered, value = min(found, key=lambda item: item[0])
-        if spreads(search.givens[towards.name], search):
-            yield from as_mass_spreads(towards.name, search)
-        else:
+        found = [item for item in vanishing_letters(search, dimensions) if item[0] >= least and (least or plain)]
+        if found:
+            _, towards, answered, value = min(found, key=lambda item: item[0])
             said = (Symbol(towards.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
             meant = meaning(answered, value, towards)
             yield Check((*said, f": {meant}") if meant else said, vanishing=towards.name, limit=bool(meant))
+    for given in search.givens.values():
+        if given.dimension == NONE and spreads(given, search):
+            yield from as_mass_spreads(given.name, search)
 
 
 def vanishing_letters(
@@ -79,7 +75,7 @@ def vanishing_letters(
         if formula is None or not is_looked_at(answered):
             continue
         letters = [given for given in search.givens.values() if given.name in formula.symbols()]
-        for given in (given for given in letters if given.dimension in dimensions):
+        for given in (given for given in letters if given.dimension in dimensions and not spreads(given, search)):
             towards = Towards(given.name, search)
             value = towards.limit(formula)
             if value is None or length(value) > SHORT or value == formula:
@@ -103,18 +99,18 @@ def as_mass_spreads(name: str, search: Search) -> Iterator[Check]:
         towards, told, meant = Towards(name, search, grows), list[str | Formula](), dict[str, None]()
         for item in search.wholes()[:MOST]:
             formula = item.found.formula
-            value = (
-                None if formula is None or item.asked.find.runs or has_quantities(formula) else towards.limit(formula)
-            )
-            if value is None or value == formula or length(value) > SHORT_SPREAD or is_unreal(value, search):
+            looked_at = formula is not None and name in formula.symbols() and length(formula) <= LONGEST
+            if formula is None or not looked_at or item.asked.find.runs or has_quantities(formula):
+                continue
+            value = towards.limit(formula)
+            if value is None or length(value) > SHORT_SPREAD or is_unreal(value, search):
                 continue
             told += [*([", "] if told else []), Symbol(item.asked.find.name), " = ", value]
             meant |= dict.fromkeys(filter(None, (meaning(item, value, towards),)))
         if not told:
             continue
-        meant |= dict.fromkeys(
-            filter(None, (slid_to_rest(body, towards) for body in spread_bodies(name, search) if grows))
-        )
+        bodies = spread_bodies(name, search) if grows and not search.scene.configuration.problem.space else ()
+        meant |= dict.fromkeys(filter(None, (slid_to_rest(body, towards) for body in bodies)))
         behind = (f": {'; '.join(meant)}",) if meant else ()
         yield Check(
             (Symbol(name), where, *told, *behind),
@@ -127,6 +123,8 @@ def as_mass_spreads(name: str, search: Search) -> Iterator[Check]:
 def meaning(item: Answered, value: Formula, towards: Towards) -> str:
     """What a limit says of the motion, where the laws prove it; '' where it goes without saying."""
     search, terms = towards.search, item.asked.find.terms
+    if search.scene.configuration.problem.space:
+        return ""
     if item.asked.dimension == ENERGY and len(terms) == 1 and terms[0].modifier == "lost":
         first = energy_at(began(terms[0], search), search)
         whole = first is not None and first != ZERO and is_zero(value - first)
@@ -141,7 +139,7 @@ def meaning(item: Answered, value: Formula, towards: Towards) -> str:
         if item.asked.dimension == FORCE:
             own = item.asked.letter in law.left.symbols() and bool(of_kinds(law.right.symbols(), ACCELERATIONS))
             held = f"the force bears the whole weight: {body} does not begin to fall"
-            free = f"{body} falls freely, as if nothing bore it"
+            free = f"{body} falls freely"
             return "" if not own else free if value == ZERO else held if is_zero(value - weight) else ""
         alone = {name for name in law.right.symbols() if is_key(name)} == {item.asked.letter}
         if alone and gravity is not None and is_zero(value - gravity):

@@ -174,12 +174,9 @@ def with_tie(
 
 def beyond_free_fall(law: Equation, tie: dict[str, Formula], search: Search) -> Words:
     """That an end of a slender body falls faster than what falls freely."""
-    gravity, (body,), component = (
-        search.scene.configuration.problem.gravity,
-        law.bodies[:1],
-        key_of(next(iter(tie))).component,
-    )
-    for point in ENDS if gravity is not None and component == "y" else ():
+    problem, (body,), component = search.scene.configuration.problem, law.bodies[:1], key_of(next(iter(tie))).component
+    gravity = None if problem.space or component != "y" else problem.gravity
+    for point in ENDS if gravity is not None else ():
         try:
             path = Path(body, "acceleration", point=point, component=component)
             meant = search.scene.reader(law.section).meaning(path).formula.substitute(tie)
