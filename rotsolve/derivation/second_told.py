@@ -26,11 +26,11 @@ def second_section(way: SecondWay, composer: DerivationComposer) -> Section:
         )
         for number, one in enumerate(way.laws, first)
     )
-    moves = tuple(put_in(step, first, composer) for step in way.steps)
+    moves = tuple(step_told(step, first, composer) for step in way.steps)
     return Section("", remarks=(letters.words(way.why),), laws=laws, moves=moves)
 
 
-def put_in(step: Putting, first: int, composer: DerivationComposer) -> Move:
+def step_told(step: Putting, first: int, composer: DerivationComposer) -> Move:
     """A step of a second way, whose laws are numbered from the `first` on."""
     marks = {id(composer.pool[int(index)]): f"({n})" for (kind, index), n in composer.numbers.items() if kind == "law"}
 
