@@ -10,7 +10,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Body, PointRef, Problem
-from rotsolve.motion.named_alone import with_points
+from rotsolve.motion.named_alone import at_its_points
 
 Bodies = Mapping[str, Body]
 Others = Sequence[Connection]
@@ -21,7 +21,7 @@ def on_mounts(problem: Problem) -> Problem:
     bodies = {body.name: body for body in problem.bodies}
     level = {"ground", *(surface.name for surface in problem.surfaces if surface.level)}
     seen = (item.seen(problem, level) for item in problem.connections)
-    items = [with_points(item, bodies) if on_one_axle(item) else item for item in seen]
+    items = [at_its_points(item, bodies) if on_one_axle(item) else item for item in seen]
     while carried := next(
         ((item, moving) for item in filter(on_one_axle, items) if (moving := moving_on(item, items, bodies))), None
     ):

@@ -20,23 +20,23 @@ def with_all_points(problem: Problem) -> Problem:
     bodies = {body.name: body for body in problem.bodies}
     return replace(
         problem,
-        actions=tuple([with_points(item, bodies) if item.at_points else item for item in problem.actions]),
-        connections=tuple([with_points(item, bodies) if item.at_points else item for item in problem.connections]),
+        actions=tuple([at_its_points(item, bodies) if item.at_points else item for item in problem.actions]),
+        connections=tuple([at_its_points(item, bodies) if item.at_points else item for item in problem.connections]),
         events=tuple(
             [
-                with_points(item, bodies) if item.at_points and of_bodies(item, bodies) else item
+                at_its_points(item, bodies) if item.at_points and between_bodies(item, bodies) else item
                 for item in problem.events
             ]
         ),
     )
 
 
-def of_bodies(item: Event, bodies: Bodies) -> bool:
+def between_bodies(item: Event, bodies: Bodies) -> bool:
     """Whether an event is about bodies alone; what strikes a surface or the ground has to name its point."""
     return all(ref.owner in bodies for field in item.pointed for ref in getattr(item, field))
 
 
-def with_points(item: Acting, bodies: Bodies) -> Acting:
+def at_its_points(item: Acting, bodies: Bodies) -> Acting:
     """What acts at places, with points for bodies that are named alone."""
     on: PointRef | None = getattr(item, "on", None)
     places = {field: tuple([middle(ref, bodies) for ref in getattr(item, field)]) for field in item.pointed}
