@@ -215,7 +215,8 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
     else:
         place = tied_at(ref, pose, model)
     if under.owner in model.seats:
-        if not rests(item, model) or shape_of(model.body(under.owner)).points[:1] == ("corner1",):
+        cornered = item.side is None and shape_of(model.body(under.owner)).points[:1] == ("corner1",)
+        if cornered or not rests(item, model):
             raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
         x, y = pose.place(under.owner, model.seats[under.owner].rigid.centre)
         place = place[0] - x, place[1] - y

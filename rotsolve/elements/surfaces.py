@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
 from rotsolve.language.bodies import Surface
 from rotsolve.language.keys import amount, key
+
+
+def of_body() -> Any:
+    """The key of a surface that is a side of a body, and goes with it."""
+    help = "the body of which it is a side, and with which it goes; without it, it is fixed"
+    return key("name", help, default=None, refers=("body",), plane=True)
 
 
 class Level(Surface, frozen=True):
@@ -29,6 +35,10 @@ class Slope(Surface, frozen=True):
     about = "a plane at an angle to the level, falling towards `down`"
     slope: Formula | None = amount("angle to the level", "angle", "theta", "acute", required=True, example="beta")
     down: str = key("choice", "the side to which it falls", choices=("left", "right"), default="right")
+    of: str | None = of_body()
+
+    def bearer(self) -> str:
+        return self.of or ""
 
     @property
     def downhill(self) -> Heading:

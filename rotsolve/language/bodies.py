@@ -150,6 +150,10 @@ class Surface(Element, frozen=True):
         """Direction out of the surface."""
         return UP
 
+    def bearer(self) -> str:
+        """The body of which it is a side; '' of what does not move."""
+        return ""
+
     def height(self) -> Formula | None:
         """Height above the floor of an edge."""
         return None

@@ -37,6 +37,8 @@ class SceneElements(Protocol):
     @property
     def bodies(self) -> tuple[Body, ...]: ...
     @property
+    def surfaces(self) -> tuple[Surface, ...]: ...
+    @property
     def gravity(self) -> Formula | None: ...
     @property
     def states(self) -> tuple[Any, ...]: ...
@@ -464,9 +466,7 @@ class Event(Element, frozen=True):
     at_once: ClassVar[str] = ""  # how scenes in space say that several happen at once
     bodily: ClassVar[bool] = False
     blow: ClassVar[bool] = False  # whether it gives impulses alone, so that several can be at once
-    heats: ClassVar[bool] = (
-        False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
-    )
+    heats: ClassVar[bool] = False  # whether the energy that its bodies lose in it becomes heat
     lets_fly: ClassVar[bool] = False  # whether what lay on what it takes away is led along no line from then on
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)

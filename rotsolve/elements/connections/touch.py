@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import ClassVar
+from collections.abc import Container, Iterator
+from typing import Any, ClassVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -20,6 +20,7 @@ from rotsolve.core.vectors.heading import (
     RIGHT,
     TURNS,
     UP,
+    WORDS,
     Heading,
     Vector,
     along_text,
@@ -32,7 +33,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
-from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
+from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, SceneElements, Surroundings
 
 
 class Friction(Struct, frozen=True):
@@ -67,9 +68,20 @@ class Touch(Connection, frozen=True):
     lays_first: ClassVar[bool] = True
     side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
+    side: Surface | None = None  # that of the body named last, which it touches there; told by the surface's `of`
+
     def pair(self) -> tuple[PointRef, ...]:
         """The body's point and the surface, or the surfaces that join smoothly: what stands under the key of its word."""
         return self.touches()
+
+    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
+        """A surface `of` a body is that body, touched at a side of its own."""
+        own, under = self.pair()[:2]
+        side = next((one for one in scene.surfaces if one.name == under.owner and one.bearer()), None)
+        if side is None or len(self.pair()) > 2:
+            return self
+        changes: dict[str, Any] = {self.word: (own, replace(under, owner=side.bearer())), "side": side}
+        return replace(self, **changes)
 
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         return self.pair()[:1]
@@ -100,6 +112,8 @@ class Touch(Connection, frozen=True):
             if not self.side_by_side:
                 help = f"write `contact: [{ref.owner}, {under.owner}]`"
                 raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
+        elif self.side is not None:
+            check_side_of(self, self.side, scene)
         elif under.owner in scene.bodies:
             self.check_carrier(scene)
         self.check_side(scene)
@@ -260,6 +274,8 @@ class Touch(Connection, frozen=True):
         """The surface on which the body is: of several the curved one where the state speaks of the contact's angle; the back of
         another body lies as that on which it travels."""
         carrier = self.carrier(configuration)
+        if self.side is not None:
+            return self.side
         if carrier:
             below = supporting(carrier, configuration, state)
             return replace(below, name=carrier) if below is not None else Level(carrier)
@@ -277,11 +293,18 @@ class Touch(Connection, frozen=True):
         return ref.point in (None, "bottom", "rim", "center", *rims(body)) or rolling_part(body, ref.point) is not None
 
     def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
-        """A body that lies or rolls on a flat surface travels along it."""
+        """A body that lies or rolls on a flat surface travels along it, unless that is taken another way."""
         surface = self.surface(configuration, state) if self.rests(body) else None
-        if surface is None or isinstance(surface, Curved):
+        if surface is None or isinstance(surface, Curved) or self.taken_aside(configuration, state):
             return None
         return surface.travel(body.moves)
+
+    def taken_aside(self, configuration: Surroundings, state: str) -> bool:
+        """Whether it lies on a side of a body that does not travel along that side, so that it goes along no line."""
+        if self.side is None or self.side.curved:
+            return False
+        line = configuration.line(self.carrier(configuration), state)
+        return line is None or (line[0] - self.side.normal).cos() != ZERO
 
     def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
@@ -314,13 +337,16 @@ class Touch(Connection, frozen=True):
         orbit = self.orbit(body, configuration, state)
         if orbit is not None and isinstance(surface, Curved):
             return orbit.way if surface.outside else -orbit.way
+        if self.side is not None and track is None and self.rests(body) and not self.side.curved:
+            track = self.side.travel(None)
         if track is None or surface is None:
             return 0
         return -1 if (surface.normal - track[0]).degrees % 360 == 90 else 1
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        track = self.track(configuration.bodies[self.lying()], configuration, state)
-        return "constant" if track else "position"
+        body = configuration.bodies[self.lying()]
+        lies = self.side is not None and not self.side.curved and self.rests(body)
+        return "constant" if lies or self.track(body, configuration, state) else "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The normal force, the rule that the body stays on the surface where its motion does not say so, and friction."""
@@ -350,8 +376,13 @@ class Touch(Connection, frozen=True):
             label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
-            yield self.no_slip(label, point, facing, instant, linear=False)
+            yield self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant))
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def keeps_flat(self, instant: Moment) -> bool:
+        """Whether it lies all the way on a flat side of a body that goes another way: what holds of rates there holds of ways."""
+        lies = self.side is not None and not self.side.curved
+        return lies and self.rests(instant.body(self.lying())) and instant.motion(self.lying()).kind == "plane"
 
     def told_apart(self, instant: Moment) -> str:
         """ " at left support" of one of several contacts that a body has, or had, with the same thing; '' of the only one."""
@@ -434,7 +465,7 @@ class Touch(Connection, frozen=True):
         """Of the touching point on what the body lies on, where that travels along a line."""
         motion, ground, forward = instant.motion(self.lying()), self.ground(instant), self.forward(instant)
         arm = self.touching_arm(instant)
-        if self.leans_freely(instant):
+        if self.leans_freely(instant) or self.keeps_flat(instant):
             rate = motion.acceleration_of(arm) - ground[1] if acceleration else motion.velocity_of(arm) - ground[0]
             return rate.along(forward)
         if motion.heading is None:
@@ -452,7 +483,7 @@ class Touch(Connection, frozen=True):
 
     def drift(self, instant: Moment) -> Formula | None:
         motion = instant.motion(self.lying())
-        if self.leans_freely(instant):
+        if self.leans_freely(instant) or self.keeps_flat(instant):
             return self.slip(instant)
         return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
 
@@ -526,7 +557,8 @@ class Touch(Connection, frozen=True):
         yield from self.both(force, instant, force.noun, reacts, name)
         rolling = motion.turns and touching_radius(instant.body(self.lying()), self.pair()[0].point) is not None
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
-        yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
+        flat = motion.kind == "line" or self.keeps_flat(instant)
+        yield self.no_slip(label, arm, forward, instant, linear=flat)
         if grip.static is not None:
             yield enough(self.name, size, grip.static * normal, "slip")
 
@@ -537,6 +569,29 @@ class Touch(Connection, frozen=True):
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
             yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place, part=carrier)
+
+
+def check_side_of(item: Touch, side: Surface, scene: Surroundings) -> None:
+    """What has a side of its own travels along a line, or is moved as told, and does not turn; on it lies a particle or what is round."""
+    ref, under = item.pair()[:2]
+    body, bearer = scene.bodies[ref.owner], scene.bodies[under.owner]
+    states = scene.throughout(item.name)
+    led = all(scene.line(bearer.name, state) is not None for state in states) or bool(bearer.moved)
+    if bearer.turns is not None or bearer.name in scene.held or any(scene.can_turn(bearer.name, at) for at in states):
+        message = f"`{side.name}` is a side of `{bearer.name}`, which turns: that is not solved yet"
+        raise Unsolvable(message, span=under.span, help="solved is a body that travels along a line")
+    if not led:
+        message = f"nothing tells how `{bearer.name}`, of which `{side.name}` is a side, travels"
+        help = f"say on what `{bearer.name}` lies, `contact: [{bearer.name}, floor]`, or how it `moves`"
+        raise Unsolvable(message, span=under.span, help=help)
+    if not (item.rests(body) and (shape_of(body).pointlike or rim_radius(body, ref.point) is not None)):
+        message = f"`{ref.owner}` on `{side.name}`, a side of `{bearer.name}`, is not solved yet"
+        raise Unsolvable(message, span=ref.span, help="solved are particles, blocks without a shape, and round bodies")
+    aside = [at for at in states if scene.line(body.name, at) is None]
+    if body.moves is not None and (aside or not states or all(scene.line(body.name, at) == (WORDS[body.moves], body.moves) for at in states)):
+        message = f"`{ref.owner}` goes with `{bearer.name}` as well as along `{side.name}`, not just {body.moves}"
+        help = "leave `moves` out: its velocity has the components `velocity.x` and `velocity.y`"
+        raise Unsolvable(message, span=body.span, help=help)
 
 
 def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
