@@ -13,6 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
+from rotsolve.confirm.sides import on_side, slid
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
@@ -143,6 +144,8 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
             return from_axis(path.owner, pose, model)
         return None
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
+    if path.quantity == "displacement" and (item := on_side(path.owner, model)) is not None:
+        return slid(item, pose, model, gone=True)
     if isinstance(contact, Drapes) and path.quantity == "length":
         from rotsolve.confirm.carried import hanging
 
@@ -259,6 +262,8 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
             way = direction(path, place, pose, model)
             return None if way is None else (load(place, way), 1.0)
         return momentum_rate(path, pose, model)
+    if word == "velocity" and (sliding := on_side(name, model)) is not None:
+        return slid(sliding, pose, model).slope, 1.0
     if word == "angular_velocity":
         item = next((item for item in model.acting.connections if item.name == name), None)
         owners = [ref.owner for ref in (item.between() or item.touches()) if ref.owner in model.seats] if item else []

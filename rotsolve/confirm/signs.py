@@ -241,7 +241,8 @@ def sense(name: str, model: Known) -> int:
             if isinstance(surface, Curved):
                 return round_way(surface, body.moves) * (1 if surface.outside else -1)
             if surface is not None and name not in model.held:
-                ahead, right = travel(surface, body.moves, model), turned(normal(surface, model), -1)
+                moves = "down" if taken_aside(item, surface, model) else body.moves
+                ahead, right = travel(surface, moves, model), turned(normal(surface, model), -1)
                 return -1 if ahead[0] * right[0] + ahead[1] * right[1] > 0 else 1
         if isinstance(item, Drapes) and item.drapes[1].owner == name:
             return 1 if model.body(item.drapes[0].owner).moves == "left" else -1

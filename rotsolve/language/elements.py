@@ -402,8 +402,7 @@ class Connection(ActingElement, frozen=True):
         return True
 
     def first_rate(self) -> tuple[Connection, PointRef, Formula] | None:
-        """Of what drives a body with a rate that is told as one number, and with an acceleration besides that changes it: the same without
-        that rate, what it turns, and the rate, which it has at first."""
+        """Of what drives a body with a told rate and an acceleration besides: the same without that rate, what it turns, and the rate."""
         return None
 
     def joint_in_space(self) -> Joint | None:
@@ -439,12 +438,15 @@ class Connection(ActingElement, frozen=True):
         return None
 
     def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
-        """What is equal on the point of slipping, in one sense and in the other, where no push and no coefficient alone tell it; each with
-        what can't be negative then."""
+        """What is equal on the point of slipping, in each sense, where no push alone tells it; with what can't be negative then."""
         return ()
 
     def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
         """How fast a body slips along the sense that counts as positive, or the rate of that; None where nothing tells the sense."""
+        return None
+
+    def slides_down(self, instant: Moment) -> Heading | None:
+        """The way along a side of another body that counts as positive for what slides on it, as seen from that body."""
         return None
 
     def drift(self, instant: Moment) -> Formula | None:

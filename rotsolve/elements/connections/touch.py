@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
-from typing import Any, ClassVar
+from collections.abc import Iterator
+from typing import ClassVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -20,7 +20,6 @@ from rotsolve.core.vectors.heading import (
     RIGHT,
     TURNS,
     UP,
-    WORDS,
     Heading,
     Vector,
     along_text,
@@ -30,10 +29,11 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.sides import Sided, check_side_of
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
-from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, SceneElements, Surroundings
+from rotsolve.language.elements import Fact, Moment, PlaceOf, Surroundings
 
 
 class Friction(Struct, frozen=True):
@@ -50,10 +50,13 @@ class Friction(Struct, frozen=True):
             yield Limit(self.static - self.kinetic, words)
 
 
-class Touch(Connection, frozen=True):
+class Touch(Sided, frozen=True):
     """Base of contacts: a normal force, friction that sticks or slips, and the rule that goes with it."""
 
     quantities: ClassVar[tuple[str, ...]] = (
+        "displacement",
+        "velocity",
+        "acceleration",
         "force",
         "normal_force",
         "friction_force",
@@ -68,20 +71,9 @@ class Touch(Connection, frozen=True):
     lays_first: ClassVar[bool] = True
     side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
-    side: Surface | None = None  # that of the body named last, which it touches there; told by the surface's `of`
-
     def pair(self) -> tuple[PointRef, ...]:
         """The body's point and the surface, or the surfaces that join smoothly: what stands under the key of its word."""
         return self.touches()
-
-    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
-        """A surface `of` a body is that body, touched at a side of its own."""
-        own, under = self.pair()[:2]
-        side = next((one for one in scene.surfaces if one.name == under.owner and one.bearer()), None)
-        if side is None or len(self.pair()) > 2:
-            return self
-        changes: dict[str, Any] = {self.word: (own, replace(under, owner=side.bearer())), "side": side}
-        return replace(self, **changes)
 
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         return self.pair()[:1]
@@ -299,13 +291,6 @@ class Touch(Connection, frozen=True):
             return None
         return surface.travel(body.moves)
 
-    def taken_aside(self, configuration: Surroundings, state: str) -> bool:
-        """Whether it lies on a side of a body that does not travel along that side, so that it goes along no line."""
-        if self.side is None or self.side.curved:
-            return False
-        line = configuration.line(self.carrier(configuration), state)
-        return line is None or (line[0] - self.side.normal).cos() != ZERO
-
     def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
         surface = self.surface(configuration, state)
@@ -338,7 +323,7 @@ class Touch(Connection, frozen=True):
         if orbit is not None and isinstance(surface, Curved):
             return orbit.way if surface.outside else -orbit.way
         if self.side is not None and track is None and self.rests(body) and not self.side.curved:
-            track = self.side.travel(None)
+            track = self.side.travel("down")
         if track is None or surface is None:
             return 0
         return -1 if (surface.normal - track[0]).degrees % 360 == 90 else 1
@@ -378,11 +363,6 @@ class Touch(Connection, frozen=True):
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
             yield self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant))
         yield from self.friction_facts(instant, name, arm, surface, normal)
-
-    def keeps_flat(self, instant: Moment) -> bool:
-        """Whether it lies all the way on a flat side of a body that goes another way: what holds of rates there holds of ways."""
-        lies = self.side is not None and not self.side.curved
-        return lies and self.rests(instant.body(self.lying())) and instant.motion(self.lying()).kind == "plane"
 
     def told_apart(self, instant: Moment) -> str:
         """ " at left support" of one of several contacts that a body has, or had, with the same thing; '' of the only one."""
@@ -447,7 +427,8 @@ class Touch(Connection, frozen=True):
     def forward(self, instant: Moment) -> Heading:
         """The way along the surface that counts as positive: that of the body's travel, else with the surface on its right."""
         surface = self.surface(instant.configuration, instant.state)
-        return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
+        ahead = self.course(instant) or self.slides_down(instant)
+        return ahead or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
     def rubs(self) -> bool:
         return self.grip().kind == "coefficient"
@@ -483,8 +464,10 @@ class Touch(Connection, frozen=True):
 
     def drift(self, instant: Moment) -> Formula | None:
         motion = instant.motion(self.lying())
-        if self.leans_freely(instant) or self.keeps_flat(instant):
+        if self.leans_freely(instant):
             return self.slip(instant)
+        if (down := self.slides_down(instant)) is not None:
+            return (motion.velocity - self.ground(instant)[0]).along(down)
         return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
@@ -541,6 +524,8 @@ class Touch(Connection, frozen=True):
             return
         forward = self.forward(instant)
         ahead, back = travel_words(forward, self.course(instant), instant, name)
+        if self.side is not None and self.slides_down(instant) is not None:
+            ahead, back = (self.side.travel(word)[1] for word in ("down", "up"))
         span = instant.span(name)
         if mode.startswith("slips"):
             backward = mode.startswith("slips back")
@@ -569,29 +554,6 @@ class Touch(Connection, frozen=True):
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
             yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place, part=carrier)
-
-
-def check_side_of(item: Touch, side: Surface, scene: Surroundings) -> None:
-    """What has a side of its own travels along a line, or is moved as told, and does not turn; on it lies a particle or what is round."""
-    ref, under = item.pair()[:2]
-    body, bearer = scene.bodies[ref.owner], scene.bodies[under.owner]
-    states = scene.throughout(item.name)
-    led = all(scene.line(bearer.name, state) is not None for state in states) or bool(bearer.moved)
-    if bearer.turns is not None or bearer.name in scene.held or any(scene.can_turn(bearer.name, at) for at in states):
-        message = f"`{side.name}` is a side of `{bearer.name}`, which turns: that is not solved yet"
-        raise Unsolvable(message, span=under.span, help="solved is a body that travels along a line")
-    if not led:
-        message = f"nothing tells how `{bearer.name}`, of which `{side.name}` is a side, travels"
-        help = f"say on what `{bearer.name}` lies, `contact: [{bearer.name}, floor]`, or how it `moves`"
-        raise Unsolvable(message, span=under.span, help=help)
-    if not (item.rests(body) and (shape_of(body).pointlike or rim_radius(body, ref.point) is not None)):
-        message = f"`{ref.owner}` on `{side.name}`, a side of `{bearer.name}`, is not solved yet"
-        raise Unsolvable(message, span=ref.span, help="solved are particles, blocks without a shape, and round bodies")
-    aside = [at for at in states if scene.line(body.name, at) is None]
-    if body.moves is not None and (aside or not states or all(scene.line(body.name, at) == (WORDS[body.moves], body.moves) for at in states)):
-        message = f"`{ref.owner}` goes with `{bearer.name}` as well as along `{side.name}`, not just {body.moves}"
-        help = "leave `moves` out: its velocity has the components `velocity.x` and `velocity.y`"
-        raise Unsolvable(message, span=body.span, help=help)
 
 
 def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:

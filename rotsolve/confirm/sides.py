@@ -1,0 +1,30 @@
+"""Sides: how what lies on a flat side of a body that travels slides along that side, as seen from the body."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rotsolve.confirm.jet import Jet
+from rotsolve.confirm.pose import Pose, along
+from rotsolve.confirm.signs import surface_of, taken_aside, travel
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.surfaces import Curved, Level
+
+if TYPE_CHECKING:
+    from rotsolve.confirm.known import Known
+
+
+def on_side(name: str, model: Known) -> Touch | None:
+    """The contact of that name, where it lays a body on a flat side that goes another way than along itself."""
+    item = next((item for item in model.acting.connections if item.name == name), None)
+    if not isinstance(item, Touch) or item.side is None or isinstance(item.side, Curved):
+        return None
+    return item if taken_aside(item, item.side, model) else None
+
+
+def slid(item: Touch, pose: Pose, model: Known, *, gone: bool = False) -> Jet:
+    """How far down the side a body is from the centre of mass of what it lies on, but for a constant; how far it has `gone` that way."""
+    own, under = item.lying(), item.pair()[1].owner
+    spots = ((own, model.travelling(own)), (under, model.seats[under].rigid.centre))
+    (x, y), (u, w) = ((pose.moved if gone else pose.place)(name, spot) for name, spot in spots)
+    return along((x - u, y - w), travel(surface_of(item, model) or Level(under), "down", model))
