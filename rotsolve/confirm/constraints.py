@@ -14,6 +14,7 @@ from rotsolve.confirm.bodies import on_rim, part_of, radius_of
 from rotsolve.confirm.jet import Jet, arctangent, distance
 from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
+from rotsolve.confirm.sides import from_middle
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import BY_INERTIA, TURNING
 from rotsolve.elements.connections.contact import Contact, Rolls
@@ -259,7 +260,7 @@ def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
         else 0.0
     )
     circle = model.value(size) + (rim if outside else -rim)
-    x, y = pose.place(ref.owner, (0.0, 0.0))
+    x, y = from_middle(item, pose, model)
     away = distance(x, y) - circle
     yield held(item.name, "normal", away if outside else -away, pose, hard=True, push=not surface.two_sided)
     slip = pose.turn(ref.owner) * rim + arctangent(y, x) * (-circle if outside else circle)

@@ -13,7 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
-from rotsolve.confirm.sides import on_side, slid
+from rotsolve.confirm.sides import from_middle, on_side, slid
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
@@ -153,7 +153,7 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
     if isinstance(contact, Touch) and path.quantity == "angle":
         surface = surface_of(contact, model)
         if isinstance(surface, Curved):
-            x, y = pose.place(contact.lying(), (0.0, 0.0))
+            x, y = from_middle(contact, pose, model)
             return arctangent(y, x)
     if path.quantity == "angle" and (wound := wound_by(path.owner, model)):
         return twist(wound, pose, model)
@@ -203,6 +203,12 @@ def from_axis(name: str, pose: Pose, model: Known) -> Jet | None:
 
 
 def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
+    """The contact by which a body is on a curved surface of known form that does not move."""
+    found = on_curve(name, model)
+    return None if found is None or found[0].side is not None else found
+
+
+def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body is on a curved surface of known form."""
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name:
@@ -234,10 +240,10 @@ def circle_of(found: tuple[Touch, Curved], model: Known) -> float:
 
 def height(name: str, pose: Pose, model: Known) -> Jet | None:
     """Of a body on a curved surface, or that has left one: above the centre of a dome, above the lowest place in a bowl."""
-    found = bent(name, model) or left_from(name, model)
+    found = on_curve(name, model) or left_from(name, model)
     if found is None:
         return None
-    return pose.place(name, (0.0, 0.0))[1] + (0.0 if found[1].outside else circle_of(found, model))
+    return from_middle(found[0], pose, model)[1] + (0.0 if found[1].outside else circle_of(found, model))
 
 
 def arc(name: str, pose: Pose, model: Known) -> Jet | None:

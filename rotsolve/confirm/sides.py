@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rotsolve.confirm.jet import Jet
-from rotsolve.confirm.pose import Pose, along
+from rotsolve.confirm.pose import Pair, Pose, along
 from rotsolve.confirm.signs import surface_of, taken_aside, travel
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved, Level
@@ -20,6 +20,16 @@ def on_side(name: str, model: Known) -> Touch | None:
     if not isinstance(item, Touch) or item.side is None or isinstance(item.side, Curved):
         return None
     return item if taken_aside(item, item.side, model) else None
+
+
+def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
+    """Where a body on a curved surface is from the middle of that: the origin, or the centre of mass of the body whose side it is."""
+    x, y = pose.place(item.lying(), (0.0, 0.0))
+    if item.side is None:
+        return x, y
+    under = item.pair()[1].owner
+    u, w = pose.place(under, model.seats[under].rigid.centre)
+    return x - u, y - w
 
 
 def slid(item: Touch, pose: Pose, model: Known, *, gone: bool = False) -> Jet:

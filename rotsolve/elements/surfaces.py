@@ -147,9 +147,13 @@ class Hollow(Curved, frozen=True):
     about = "the inside of a round bowl or loop"
     outside = False
     hollow: Formula | None = amount("radius", "length", "R", "positive", required=True)
+    of: str | None = of_body()
 
     def radius(self) -> Formula | None:
         return self.hollow
+
+    def bearer(self) -> str:
+        return self.of or ""
 
 
 class Wire(Curved, frozen=True):
@@ -160,9 +164,13 @@ class Wire(Curved, frozen=True):
     outside = False
     two_sided = True
     wire: Formula | None = amount("radius", "length", "R", "positive", required=True)
+    of: str | None = of_body()
 
     def radius(self) -> Formula | None:
         return self.wire
+
+    def bearer(self) -> str:
+        return self.of or ""
 
 
 class Dome(Curved, frozen=True):
@@ -170,9 +178,13 @@ class Dome(Curved, frozen=True):
     away = "outward"
     about = "the outside of a round hill"
     dome: Formula | None = amount("radius", "length", "R", "positive", required=True)
+    of: str | None = of_body()
 
     def radius(self) -> Formula | None:
         return self.dome
+
+    def bearer(self) -> str:
+        return self.of or ""
 
 
 class Post(Surface, frozen=True):

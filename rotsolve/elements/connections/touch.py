@@ -106,6 +106,8 @@ class Touch(Sided, frozen=True):
                 raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
         elif self.side is not None:
             check_side_of(self, self.side, scene)
+            if isinstance(self.side, Curved):
+                self.check_curved(self.side, scene)
         elif under.owner in scene.bodies:
             self.check_carrier(scene)
         self.check_side(scene)
@@ -240,6 +242,7 @@ class Touch(Sided, frozen=True):
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         rim = rim_radius(body, ref.point) if body is not None else None
         surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
+        surfaces += [self.side] if self.side is not None else []
         for surface in surfaces if rim is not None else ():
             if isinstance(surface, Curved):
                 yield from surface.rooms(self.lying(), rim or ZERO, self.on_flat(scene))
@@ -294,7 +297,7 @@ class Touch(Sided, frozen=True):
     def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
         surface = self.surface(configuration, state)
-        if not isinstance(surface, Curved) or not self.rests(body):
+        if not isinstance(surface, Curved) or not self.rests(body) or self.side is not None:
             return None
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
         way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
@@ -361,8 +364,22 @@ class Touch(Sided, frozen=True):
             label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
-            yield self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant))
+            yield self.as_it_bends(self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant)), instant)
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def as_it_bends(self, rule: Rule, instant: Moment) -> Rule:
+        """Across a round side what goes along it is drawn to its middle, as seen from the body: (a − A) · n = ∓ u²/ρ, u = (v − V) · t."""
+        if not isinstance(self.side, Curved) or rule.acceleration is None:
+            return rule
+        body, (base, _) = instant.body(self.lying()), self.ground(instant)
+        circle = self.side.circle(rim_radius(body, self.pair()[0].point) or ZERO)
+        sliding = (instant.motion(self.lying()).velocity - base).along(self.forward(instant))
+        if circle is None or sliding == ZERO:
+            return rule
+        inwards = square(sliding) / circle
+        left, right = rule.acceleration
+        bends = (left, add(right, negate(inwards) if self.side.outside else inwards))
+        return replace(rule, acceleration=bends, bent=("u²/ρ towards the middle, u the speed along the side",))
 
     def told_apart(self, instant: Moment) -> str:
         """ " at left support" of one of several contacts that a body has, or had, with the same thing; '' of the only one."""
@@ -473,6 +490,8 @@ class Touch(Sided, frozen=True):
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
         """Across a flat surface, of the body that touches it; on the back of another body, from where that is."""
         surface = self.surface(instant.configuration, instant.state)
+        if isinstance(self.side, Curved) and instant.host(self.lying()) == name:
+            return self.place_round(self.side, way, instant, place_of)
         if surface is None or isinstance(surface, Curved) or instant.host(self.lying()) != name:
             return None
         if (surface.normal - way).sin() != ZERO:
@@ -480,6 +499,15 @@ class Touch(Sided, frozen=True):
         carrier = self.carrier(instant.configuration)
         base = place_of(PointRef(carrier, "cm")) if carrier else ZERO
         return None if base is None else base - self.touching_arm(instant).along(way)
+
+    def place_round(self, side: Curved, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
+        """Of what goes round on a side of a body, from where that is: ρ cos(φ − direction)."""
+        base = place_of(PointRef(self.pair()[1].owner, "cm"))
+        circle = side.circle(rim_radius(instant.body(self.lying()), self.pair()[0].point) or ZERO)
+        if base is None or circle is None:
+            return None
+        level = side.base(circle) if way == UP else ZERO
+        return base + level + circle * (heading(self.touching_angle(instant)) - way).cos()
 
     def ground(self, instant: Moment) -> tuple[Vector, Vector]:
         """Velocity and acceleration of what it lies on."""
