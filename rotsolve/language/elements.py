@@ -105,6 +105,8 @@ class Moment(Protocol):
     @property
     def when(self) -> str: ...
     @property
+    def moving(self) -> str: ...
+    @property
     def in_balance(self) -> bool: ...
     def says_to_stick(self, name: str) -> bool: ...
 
@@ -234,10 +236,10 @@ class Action(ActingElement, frozen=True):
 class Connection(ActingElement, frozen=True):
     """Base of all connections. `words` can be said of it in a state.
 
-    `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
-    nothing that is fixed, `lays_first` one that names first what it lays on something, `rimmed` one that runs on the rims of wheels,
-    `repeats` one that may name a body twice, `guiding` one by which a body is where another one takes it, `axial` an axis through the
-    centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that events leave.
+    `independent` holds several bodies without making one move with the other, `bodily` joins bodies alone and nothing that is fixed,
+    `lays_first` names first what it lays on something, `rimmed` runs on the rims of wheels, `repeats` may name a body twice, `guiding`
+    takes a body where another one is, `axial` is an axis through the centre of what it holds, `circling` carries that steadily round.
+    `kept` are its quantities that events leave.
     """
 
     words: ClassVar[tuple[str, ...]] = ()
@@ -354,7 +356,7 @@ class Connection(ActingElement, frozen=True):
         return iter(())
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
-        """How far along a direction that stays a body's reference is, where it tells that; `place_of` tells that of other points."""
+        """How far along a direction a body's reference is, where it tells that; `place_of` tells that of other points."""
         return None
 
     def tension_at(self, name: str, instant: Moment) -> Formula | None:

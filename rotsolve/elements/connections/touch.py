@@ -364,22 +364,28 @@ class Touch(Sided, frozen=True):
             label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
-            yield self.as_it_bends(self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant)), instant)
+            stays = self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant))
+            yield from (stays,) if not isinstance(self.side, Curved) else self.round_side(stays, self.side, instant)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
-    def as_it_bends(self, rule: Rule, instant: Moment) -> Rule:
-        """Across a round side what goes along it is drawn to its middle, as seen from the body: (a − A) · n = ∓ u²/ρ, u = (v − V) · t."""
-        if not isinstance(self.side, Curved) or rule.acceleration is None:
-            return rule
-        body, (base, _) = instant.body(self.lying()), self.ground(instant)
-        circle = self.side.circle(rim_radius(body, self.pair()[0].point) or ZERO)
-        sliding = (instant.motion(self.lying()).velocity - base).along(self.forward(instant))
-        if circle is None or sliding == ZERO:
-            return rule
-        inwards = square(sliding) / circle
-        left, right = rule.acceleration
-        bends = (left, add(right, negate(inwards) if self.side.outside else inwards))
-        return replace(rule, acceleration=bends, bent=("u²/ρ towards the middle, u the speed along the side",))
+    def round_side(self, stays: Rule, side: Curved, instant: Moment) -> Iterator[Rule]:
+        """On a round side of a body v = V + u t, u the speed along it as seen from the body, and (a − A) · n = ∓ u²/ρ to its middle."""
+        circle = side.circle(rim_radius(instant.body(self.lying()), self.pair()[0].point) or ZERO)
+        words = ("to the right over the top", "to the left over the top") if side.outside else TURNS
+        along = instant.ask("velocity", self.name, when=instant.moving, words=words, letter="u")
+        motion, sliding, (base, _) = instant.motion(self.lying()), unit(self.forward(instant)), self.ground(instant)
+        right, up = (
+            (motion.velocity.along(axis), add(base.along(axis), along * sliding.along(axis))) for axis in (RIGHT, UP)
+        )
+        yield Rule(self.name, f"{stays.label}, upwards", stays.bodies, up, None, linear=False)
+        if circle is None or stays.acceleration is None or along == ZERO:
+            yield replace(stays, velocity=right)
+            return
+        left, across = stays.acceleration
+        inwards = square(along) / circle
+        bends = left, add(across, negate(inwards) if side.outside else inwards)
+        told = ("u²/ρ to the middle, u the speed along the side",)
+        yield replace(stays, velocity=right, acceleration=bends, bent=told)
 
     def told_apart(self, instant: Moment) -> str:
         """ " at left support" of one of several contacts that a body has, or had, with the same thing; '' of the only one."""
