@@ -7,14 +7,16 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, Symbol, call, negate, sqrt
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
+from rotsolve.algebra.formula import ONE, Formula, Symbol, call, negate, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
+from rotsolve.core.equation import CENTRE_STAYS
 from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.quantity import FREQUENCIES, PLANE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
+from rotsolve.core.symbols import POSITION, RATES, has_quantities, key_of, of_kinds, phase_midst
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Given
@@ -88,9 +90,23 @@ class Expected(Struct, frozen=True):
         if not first and self.numbers.found(gone) == 0.0:  # it has come back
             told = [negate(travel.before)]
         elif not first:
-            told += [gone, travel.before, self.numbers.push(travel.initial)]
+            told += [gone, travel.before, self.numbers.push(travel.initial), self._with_the_others(gone)]
         sign = self.numbers.sign(told)
         return self._told(kind, owner, name, sign) if sign else (0, ())
+
+    def _with_the_others(self, gone: Formula) -> Formula | None:
+        """How far a body goes as the common centre of mass of those that move together stays where it is."""
+        if not isinstance(gone, Symbol):
+            return None
+        ties = (one for one in self.scene.equations if one.law == CENTRE_STAYS and gone.name in one.symbols())
+        for tie in ties:
+            try:
+                found = solve_all([tie.left - tie.right], [gone.name]).get(gone.name)
+            except (NotLinear, Singular):
+                continue
+            if found is not None and not has_quantities(self.numbers.with_answers(found)):
+                return found
+        return None
 
     def _in_time(self, travel: Travel, passage: Passage) -> int:
         """Which way a body moves after a known time where the push changes evenly with the place: v₀ cos ω t + (a₀/ω) sin ω t."""
