@@ -97,9 +97,7 @@ def momentum_without_force(over: OverPhase) -> Iterator[Equation]:
                 yield from way_of_centre(bodies, axis == UP, before, over)
 
 
-def way_of_centre(
-    bodies: list[BodyFacts], upwards: bool, before: list[Formula], over: OverPhase
-) -> Iterator[Equation]:
+def way_of_centre(bodies: list[BodyFacts], upwards: bool, before: list[Formula], over: OverPhase) -> Iterator[Equation]:
     """Σ m Δx = t Σ p₁ of bodies whose momentum is conserved: the common centre of mass stays where it is, or goes on evenly."""
     ways = [over.passage.ways.get(body.name, (None, None))[upwards] for body in bodies]
     gone = [body.mass * way for body, way in zip(bodies, ways, strict=True) if way is not None]

@@ -238,9 +238,7 @@ def still_to_go(line: Condition, gap: float) -> float:
     return math.remainder(gap, 2 * math.pi) if whole else gap
 
 
-def rates_along(
-    first: Node, q: Sequence[float], line: Condition, still: Sequence[int] = ()
-) -> list[float] | None:
+def rates_along(first: Node, q: Sequence[float], line: Condition, still: Sequence[int] = ()) -> list[float] | None:
     """The rates of all coordinates where the line's place grows by one, and some are `still`; None where there is more than one way to
     go."""
     rows = [*[slope for slope, _ in kept_rows(first, q)], *[{index: 1.0} for index in still]]

@@ -11,9 +11,9 @@ from rotsolve.confirm.bodies import is_round
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, moment
 from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.lines import bent, circle_of, left_from, on_curve
-from rotsolve.confirm.sides import from_middle
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Pair, Pose, Way
+from rotsolve.confirm.sides import from_middle
 from rotsolve.confirm.signs import round_way
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides
