@@ -323,8 +323,9 @@ class Touch(Sided, frozen=True):
         """Rolling: v + ω × r = 0 at the contact, so travel with the surface on its right turns a wheel clockwise."""
         track, surface = self.track(body, configuration, state), self.surface(configuration, state)
         orbit = self.orbit(body, configuration, state)
-        if orbit is not None and isinstance(surface, Curved):
-            return orbit.way if surface.outside else -orbit.way
+        if isinstance(surface, Curved) and (orbit is not None or (self.side is not None and self.rests(body))):
+            way = surface.way(None) if orbit is None else orbit.way
+            return way if surface.outside else -way
         if self.side is not None and track is None and self.rests(body) and not self.side.curved:
             track = self.side.travel("down")
         if track is None or surface is None:
