@@ -7,11 +7,13 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
+from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.signs import normal, rests, surface_of
 from rotsolve.draw.paper.figure import Point, shifted_by
 from rotsolve.draw.plane.places.kinds import ConnectionKinds, curve_radius
 from rotsolve.draw.plane.places.outlines import BodyOutline, Value, body_outlines, box, disc, polygon, spun
+from rotsolve.draw.plane.places.sided import sided_outline
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body
 from rotsolve.language.elements import Connection
@@ -149,6 +151,11 @@ def plain_outline(
         return (disc(radius),), False
     if name in model.held:
         return (plate(body, value, sizes),), False
+    sides = [item.side for item in kinds.contacts if item.side is not None and item.side.bearer() == name]
+    if sides and body.shape is None and not body.parts:
+        riders = [item.lying() for item in kinds.contacts if item.side in sides]
+        radii = [radius_of(model.body(rider), None, model.value) or 0.0 for rider in riders]
+        return sided_outline(sides, value, max(sizes.block, *radii)), not sides[0].curved
     if any(item.pair()[1].owner == name for item in kinds.contacts):
         return (box(CARRIER[0] * sizes.block, CARRIER[1] * sizes.block),), True
     if is_block(body, holding, [item for item in kinds.strings if item in holding]):
