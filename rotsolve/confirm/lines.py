@@ -13,7 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
-from rotsolve.confirm.sides import from_middle, on_side, slid
+from rotsolve.confirm.sides import from_middle, gone_down, on_side
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
@@ -145,7 +145,7 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
         return None
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
     if path.quantity == "displacement" and (item := on_side(path.owner, model)) is not None:
-        return slid(item, pose, model, gone=True)
+        return gone_down(item, pose, model, gone=True)
     if isinstance(contact, Drapes) and path.quantity == "length":
         from rotsolve.confirm.carried import hanging
 
@@ -269,7 +269,7 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
             return None if way is None else (load(place, way), 1.0)
         return momentum_rate(path, pose, model)
     if word == "velocity" and (sliding := on_side(name, model)) is not None:
-        return slid(sliding, pose, model).slope, 1.0
+        return gone_down(sliding, pose, model).slope, 1.0
     if word == "angular_velocity":
         item = next((item for item in model.acting.connections if item.name == name), None)
         owners = [ref.owner for ref in (item.between() or item.touches()) if ref.owner in model.seats] if item else []

@@ -32,7 +32,7 @@ def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
     return x - u, y - w
 
 
-def slid(item: Touch, pose: Pose, model: Known, *, gone: bool = False) -> Jet:
+def gone_down(item: Touch, pose: Pose, model: Known, *, gone: bool = False) -> Jet:
     """How far down the side a body is from the centre of mass of what it lies on, but for a constant; how far it has `gone` that way."""
     own, under = item.lying(), item.pair()[1].owner
     spots = ((own, model.travelling(own)), (under, model.seats[under].rigid.centre))

@@ -12,7 +12,7 @@ from rotsolve.language.bodies import Surface
 from rotsolve.language.keys import amount, key
 
 
-def of_body() -> Any:
+def key_of_bearer() -> Any:
     """The key of a surface that is a side of a body, and goes with it."""
     help = "the body of which it is a side, and with which it goes; without it, it is fixed"
     return key("name", help, default=None, refers=("body",), plane=True)
@@ -35,7 +35,10 @@ class Slope(Surface, frozen=True):
     about = "a plane at an angle to the level, falling towards `down`"
     slope: Formula | None = amount("angle to the level", "angle", "theta", "acute", required=True, example="beta")
     down: str = key("choice", "the side to which it falls", choices=("left", "right"), default="right")
-    of: str | None = of_body()
+    of: str | None = key_of_bearer()
+
+    def tilt(self) -> Formula | None:
+        return self.slope
 
     def bearer(self) -> str:
         return self.of or ""
@@ -147,7 +150,7 @@ class Hollow(Curved, frozen=True):
     about = "the inside of a round bowl or loop"
     outside = False
     hollow: Formula | None = amount("radius", "length", "R", "positive", required=True)
-    of: str | None = of_body()
+    of: str | None = key_of_bearer()
 
     def radius(self) -> Formula | None:
         return self.hollow
@@ -164,7 +167,7 @@ class Wire(Curved, frozen=True):
     outside = False
     two_sided = True
     wire: Formula | None = amount("radius", "length", "R", "positive", required=True)
-    of: str | None = of_body()
+    of: str | None = key_of_bearer()
 
     def radius(self) -> Formula | None:
         return self.wire
@@ -178,7 +181,7 @@ class Dome(Curved, frozen=True):
     away = "outward"
     about = "the outside of a round hill"
     dome: Formula | None = amount("radius", "length", "R", "positive", required=True)
-    of: str | None = of_body()
+    of: str | None = key_of_bearer()
 
     def radius(self) -> Formula | None:
         return self.dome

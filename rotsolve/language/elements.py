@@ -1,7 +1,6 @@
 """Elements: the base classes of all that a scene is built of beside its bodies, what they see of it, and what is asked of them.
 
-Each question has a plain default, so that an element answers only what is special about it. No element knows where it is asked from:
-it sees one `Moment` of the scene, and the `Surroundings` in which it acts.
+Each question has a plain default. No element knows where it is asked from: it sees one `Moment` of the scene, and its `Surroundings`.
 """
 
 from __future__ import annotations
@@ -201,17 +200,13 @@ class ActingElement(Element, frozen=True):
         return iter(())
 
 
-ALL_THE_TIME = (
-    "what acts does so in all states: begin a scene of its own where that begins or ends, with how all moves then"
-)
+ALL_THE_TIME = "what acts does so in all states: begin another scene where it begins or ends, with how all moves then"
 
 
 class Action(ActingElement, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
-    from_: str | None = key(
-        "name", "the state at which it begins", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
-    )
+    from_: str | None = key("name", "the state at which it begins", refers=("state",), plane=True, instead=ALL_THE_TIME)
     to: str | None = key(
         "name", "the state at which it ends", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
     )
@@ -258,10 +253,11 @@ class Connection(ActingElement, frozen=True):
         if self.between():
             first, second = self.between()
             if scene.held.get(first.owner, first.owner) != scene.held.get(second.owner):
-                help = f"give `axle: [{first.owner}, {second.owner}]`"
-                raise Unsolvable(
-                    f"`{self.word}` is solved for two bodies on one axle only", span=second.span, help=help
+                help, message = (
+                    f"give `axle: [{first.owner}, {second.owner}]`",
+                    "is solved for two bodies on one axle only",
                 )
+                raise Unsolvable(f"`{self.word}` {message}", span=second.span, help=help)
 
     def holds_whatever_it_takes(self) -> bool:  # by friction to which nothing sets a limit
         return False

@@ -127,11 +127,11 @@ def passage(interval: Interval, start: Known, end: Known, midst: Known) -> Passa
         groups,
         idle,
         tuple(linked_ways(midst_facts, interval, first, last)),
-        dict(free_ways(midst_facts, groups, interval, first, last)),
+        dict(ways_in_the_plane(midst_facts, groups, interval, first, last)),
     )
 
 
-def free_ways(
+def ways_in_the_plane(
     facts: Facts, groups: Sequence[frozenset[str]], interval: Interval, first: Instant, last: Instant
 ) -> Iterator[tuple[str, tuple[Formula | None, Formula | None]]]:
     """How far to the right and up bodies go that move together, one of them at least freely; None where that is not told."""

@@ -24,7 +24,7 @@ from rotsolve.confirm.course.reading import (
 )
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Way
-from rotsolve.confirm.sides import on_side, slid
+from rotsolve.confirm.sides import gone_down, on_side
 from rotsolve.elements.actions import Band
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.strings import String
@@ -197,12 +197,12 @@ def turning(at: Node, path: Path, term: Term | None) -> Reckoned:
     return of_body(at, Path(last_body(at, path.owner), path.quantity), term)
 
 
-def sliding(at: Node, path: Path, term: Term | None) -> Reckoned:
+def sliding_down(at: Node, path: Path, term: Term | None) -> Reckoned:
     """How fast a body slides down a side of another one, as seen from that; or the rate of that."""
     item = on_side(path.owner, at.model)
     if item is None or path.component is not None:
         raise NotConfirmed(f"the {path.quantity} of `{path.owner}`")
-    found = slid(item, at.pose, at.model)
+    found = gone_down(item, at.pose, at.model)
     return number(found.rate if path.quantity == "velocity" else second_rate(found, at))
 
 
@@ -216,7 +216,7 @@ OF_ELEMENTS: dict[str, Reading] = {
     "power": power,
     "elongation": elongation,
     "potential_energy": potential_energy,
-    "velocity": sliding,
-    "acceleration": sliding,
+    "velocity": sliding_down,
+    "acceleration": sliding_down,
     **dict.fromkeys(("angle", "angular_velocity", "angular_acceleration"), turning),
 }

@@ -2,58 +2,107 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
-from typing import Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Protocol
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ZERO, Formula, add, negate
+from rotsolve.core.facts import Rule, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import Heading
+from rotsolve.core.vectors.heading import RIGHT, TURNS, UP, Heading, Vector, heading, unit
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.bodies import Body, PointRef, Surface
-from rotsolve.language.elements import Connection, Moment, SceneElements, Surroundings
+from rotsolve.language.bodies import PointRef, Surface
+
+if TYPE_CHECKING:
+    from rotsolve.elements.surfaces import Curved
+    from rotsolve.language.bodies import Body
+    from rotsolve.language.elements import Moment, PlaceOf, Surroundings
 
 
-class Sided(Connection, frozen=True):
-    """Base of what may lay a body on a side of another: `side` is the surface that the scene declares `of` the body named last."""
+class Laying(Protocol):
+    """What lays a body on another one, as its side sees it."""
 
-    side: Surface | None = None
-
-    def pair(self) -> tuple[PointRef, ...]:
-        """The body's point and what it lies on."""
-        return self.touches()
-
-    def rests(self, body: Body) -> bool:
-        """Whether a body lies or rolls there."""
-        raise NotImplementedError
-
-    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
-        """A surface `of` a body is that body, touched at a side of its own."""
-        own, under = self.pair()[:2]
-        side = next((one for one in scene.surfaces if one.name == under.owner and one.bearer()), None)
-        if side is None or len(self.pair()) > 2:
-            return self
-        changes: dict[str, Any] = {self.word: (own, replace(under, owner=side.bearer())), "side": side}
-        return replace(self, **changes)
-
-    def taken_aside(self, configuration: Surroundings, state: str) -> bool:
-        """Whether it lies on a side of a body that does not travel along that side, so that it goes along no line."""
-        if self.side is None or self.side.curved:
-            return False
-        line = configuration.line(self.carrier(configuration), state)
-        return line is None or (line[0] - self.side.normal).cos() != ZERO
-
-    def keeps_flat(self, instant: Moment) -> bool:
-        """Whether it lies all the way on a flat side of a body that goes another way: what holds of rates there holds of ways."""
-        lies = self.side is not None and not self.side.curved
-        return lies and self.rests(instant.body(self.lying())) and instant.motion(self.lying()).kind == "plane"
-
-    def slides_down(self, instant: Moment) -> Heading | None:
-        return self.side.travel("down")[0] if self.side is not None and self.keeps_flat(instant) else None
+    @property
+    def name(self) -> str: ...
+    @property
+    def side(self) -> Surface | None: ...
+    def pair(self) -> tuple[PointRef, ...]: ...
+    def lying(self) -> str: ...
+    def carrier(self, configuration: Surroundings) -> str: ...
+    def rests(self, body: Body) -> bool: ...
+    def forward(self, instant: Moment) -> Heading: ...
+    def ground(self, instant: Moment) -> tuple[Vector, Vector]: ...
+    def touching_angle(self, instant: Moment) -> Formula: ...
 
 
-def check_side_of(item: Sided, side: Surface, scene: Surroundings) -> None:
+OVER_THE_TOP = ("to the right over the top", "to the left over the top")
+
+
+def goes_aside(item: Laying, configuration: Surroundings, state: str) -> bool:
+    """Whether a body lies on a flat side of one that does not travel along that side, so that it goes along no line."""
+    if item.side is None or item.side.curved:
+        return False
+    line = configuration.line(item.carrier(configuration), state)
+    return line is None or (line[0] - item.side.normal).cos() != ZERO
+
+
+def round_rules(item: Laying, stays: Rule, side: Curved, instant: Moment) -> Iterator[Rule]:
+    """On a round side of a body v = V + u t, u the speed along it as seen from the body, and (a − A) · n = ∓ u²/ρ to its middle."""
+    circle = circle_on(item, side, instant)
+    words = OVER_THE_TOP if side.outside else TURNS
+    along = instant.ask("velocity", item.name, when=instant.moving, words=words, letter="u")
+    motion, sliding, (base, _) = instant.motion(item.lying()), unit(item.forward(instant)), item.ground(instant)
+    right, up = (
+        (motion.velocity.along(axis), add(base.along(axis), along * sliding.along(axis))) for axis in (RIGHT, UP)
+    )
+    yield Rule(item.name, f"{stays.label}, upwards", stays.bodies, up, None, linear=False)
+    if circle is None or stays.acceleration is None or along == ZERO:
+        yield replace(stays, velocity=right)
+        return
+    left, across = stays.acceleration
+    inwards = square(along) / circle
+    bends = left, add(across, negate(inwards) if side.outside else inwards)
+    told = ("u²/ρ to the middle, u the speed along the side",)
+    yield replace(stays, velocity=right, acceleration=bends, bent=told)
+
+
+def place_round(item: Laying, side: Curved, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
+    """How far along a direction what goes round on a side of a body is, from where that is: ρ cos(φ − direction)."""
+    base, circle = place_of(PointRef(item.pair()[1].owner, "cm")), circle_on(item, side, instant)
+    if base is None or circle is None:
+        return None
+    level = side.base(circle) if way == UP else ZERO
+    return base + level + circle * (heading(item.touching_angle(instant)) - way).cos()
+
+
+def circle_on(item: Laying, side: Curved, instant: Moment) -> Formula | None:
+    """The radius of the circle on which the middle of a body goes as seen from the body whose side it is on."""
+    return side.circle(rim_radius(instant.body(item.lying()), item.pair()[0].point) or ZERO)
+
+
+def check_carrier(item: Laying, scene: Surroundings) -> None:
+    """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
+    ref, under = item.pair()[:2]
+    carrier = scene.bodies[under.owner]
+    flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)}
+    laid = (one for one in scene.problem.connections if one.lying() == carrier.name and one is not item)
+    on_flat = any(one.places()[0].owner in (*flat, *scene.bodies) for one in laid)
+    if carrier.turns is not None or rim_radius(carrier, None) is not None or len(item.pair()) > 2:
+        raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
+    if not carrier.parts and not shape_of(carrier).backed:
+        message = (
+            f"`{ref.owner}` on `{carrier.name}`, a {shape_of(carrier).word}: on which side it lies is not solved yet"
+        )
+        help = f"a side of it is a surface: `surfaces: {{side: {{slope: beta, of: {carrier.name}}}}}`; else solved is a level back"
+        raise Unsolvable(message, span=under.span, help=help)
+    if not on_flat and carrier.moves not in ("left", "right"):
+        help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
+        message = f"nothing tells on what `{carrier.name}`, which carries `{ref.owner}`, travels"
+        raise Unsolvable(message, span=under.span, help=help)
+
+
+def check_side_of(item: Laying, side: Surface, scene: Surroundings) -> None:
     """What has a side of its own travels along a line, or is moved as told, and does not turn; on it lies a particle or what is round."""
     ref, under = item.pair()[:2]
     body, bearer = scene.bodies[ref.owner], scene.bodies[under.owner]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import ClassVar
+from collections.abc import Container, Iterator
+from typing import Any, ClassVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -29,11 +29,11 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.sides import Sided, check_side_of
+from rotsolve.elements.connections.sides import check_carrier, check_side_of, goes_aside, place_round, round_rules
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
-from rotsolve.language.elements import Fact, Moment, PlaceOf, Surroundings
+from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, SceneElements, Surroundings
 
 
 class Friction(Struct, frozen=True):
@@ -50,30 +50,31 @@ class Friction(Struct, frozen=True):
             yield Limit(self.static - self.kinetic, words)
 
 
-class Touch(Sided, frozen=True):
+class Touch(Connection, frozen=True):
     """Base of contacts: a normal force, friction that sticks or slips, and the rule that goes with it."""
 
     quantities: ClassVar[tuple[str, ...]] = (
-        "displacement",
-        "velocity",
-        "acceleration",
-        "force",
-        "normal_force",
-        "friction_force",
-        "friction",
-        "torque",
-        "angle",
-        "work",
-        "power",
-        "impulse",
-    )
+        "displacement", "velocity", "acceleration", "force", "normal_force", "friction_force", "friction", "torque", "angle",
+        "work", "power", "impulse",
+    )  # fmt: skip
     words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
     lays_first: ClassVar[bool] = True
     side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
+    side: Surface | None = None  # the surface that the scene declares `of` the body named last: a side of that
+
     def pair(self) -> tuple[PointRef, ...]:
         """The body's point and the surface, or the surfaces that join smoothly: what stands under the key of its word."""
         return self.touches()
+
+    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
+        """A surface `of` a body is that body, touched at a side of its own."""
+        own, under = self.pair()[:2]
+        side = next((one for one in scene.surfaces if one.name == under.owner and one.bearer()), None)
+        if side is None or len(self.pair()) > 2:
+            return self
+        changes: dict[str, Any] = {self.word: (own, replace(under, owner=side.bearer())), "side": side}
+        return replace(self, **changes)
 
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         return self.pair()[:1]
@@ -109,7 +110,7 @@ class Touch(Sided, frozen=True):
             if isinstance(self.side, Curved):
                 self.check_curved(self.side, scene)
         elif under.owner in scene.bodies:
-            self.check_carrier(scene)
+            check_carrier(self, scene)
         self.check_side(scene)
         self.check_seen(scene)
         self.check_places(scene)
@@ -154,23 +155,6 @@ class Touch(Sided, frozen=True):
     def pressed(self) -> bool:
         """Whether a force of its own presses it together."""
         return False
-
-    def check_carrier(self, scene: Surroundings) -> None:
-        """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
-        ref, under = self.pair()[:2]
-        carrier = scene.bodies[under.owner]
-        flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)}
-        laid = (item for item in scene.problem.connections if item.lying() == carrier.name and item is not self)
-        on_flat = any(item.places()[0].owner in (*flat, *scene.bodies) for item in laid)
-        if carrier.turns is not None or rim_radius(carrier, None) is not None or len(self.pair()) > 2:
-            raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
-        if not carrier.parts and not shape_of(carrier).backed:
-            message = f"`{ref.owner}` on `{carrier.name}`, a {shape_of(carrier).word}: on which side it lies is not solved yet"
-            raise Unsolvable(message, span=under.span, help="solved is a level back, as that of a body without a shape")
-        if not on_flat and carrier.moves not in ("left", "right"):
-            help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
-            message = f"nothing tells on what `{carrier.name}`, which carries `{ref.owner}`, travels"
-            raise Unsolvable(message, span=under.span, help=help)
 
     def check_places(self, scene: Surroundings) -> None:
         """Of surfaces that join, a track of unknown profile leads into a curved one; a curved one takes what fits it."""
@@ -290,7 +274,7 @@ class Touch(Sided, frozen=True):
     def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
         """A body that lies or rolls on a flat surface travels along it, unless that is taken another way."""
         surface = self.surface(configuration, state) if self.rests(body) else None
-        if surface is None or isinstance(surface, Curved) or self.taken_aside(configuration, state):
+        if surface is None or isinstance(surface, Curved) or goes_aside(self, configuration, state):
             return None
         return surface.travel(body.moves)
 
@@ -366,27 +350,16 @@ class Touch(Sided, frozen=True):
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
             stays = self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant))
-            yield from (stays,) if not isinstance(self.side, Curved) else self.round_side(stays, self.side, instant)
+            yield from (stays,) if not isinstance(self.side, Curved) else round_rules(self, stays, self.side, instant)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
-    def round_side(self, stays: Rule, side: Curved, instant: Moment) -> Iterator[Rule]:
-        """On a round side of a body v = V + u t, u the speed along it as seen from the body, and (a − A) · n = ∓ u²/ρ to its middle."""
-        circle = side.circle(rim_radius(instant.body(self.lying()), self.pair()[0].point) or ZERO)
-        words = ("to the right over the top", "to the left over the top") if side.outside else TURNS
-        along = instant.ask("velocity", self.name, when=instant.moving, words=words, letter="u")
-        motion, sliding, (base, _) = instant.motion(self.lying()), unit(self.forward(instant)), self.ground(instant)
-        right, up = (
-            (motion.velocity.along(axis), add(base.along(axis), along * sliding.along(axis))) for axis in (RIGHT, UP)
-        )
-        yield Rule(self.name, f"{stays.label}, upwards", stays.bodies, up, None, linear=False)
-        if circle is None or stays.acceleration is None or along == ZERO:
-            yield replace(stays, velocity=right)
-            return
-        left, across = stays.acceleration
-        inwards = square(along) / circle
-        bends = left, add(across, negate(inwards) if side.outside else inwards)
-        told = ("u²/ρ to the middle, u the speed along the side",)
-        yield replace(stays, velocity=right, acceleration=bends, bent=told)
+    def keeps_flat(self, instant: Moment) -> bool:
+        """Whether it lies all the way on a flat side of a body that goes another way: what holds of rates there holds of ways."""
+        lies = self.side is not None and not self.side.curved
+        return lies and self.rests(instant.body(self.lying())) and instant.motion(self.lying()).kind == "plane"
+
+    def slides_down(self, instant: Moment) -> Heading | None:
+        return self.side.travel("down")[0] if self.side is not None and self.keeps_flat(instant) else None
 
     def told_apart(self, instant: Moment) -> str:
         """ " at left support" of one of several contacts that a body has, or had, with the same thing; '' of the only one."""
@@ -498,7 +471,7 @@ class Touch(Sided, frozen=True):
         """Across a flat surface, of the body that touches it; on the back of another body, from where that is."""
         surface = self.surface(instant.configuration, instant.state)
         if isinstance(self.side, Curved) and instant.host(self.lying()) == name:
-            return self.place_round(self.side, way, instant, place_of)
+            return place_round(self, self.side, way, instant, place_of)
         if surface is None or isinstance(surface, Curved) or instant.host(self.lying()) != name:
             return None
         if (surface.normal - way).sin() != ZERO:
@@ -506,15 +479,6 @@ class Touch(Sided, frozen=True):
         carrier = self.carrier(instant.configuration)
         base = place_of(PointRef(carrier, "cm")) if carrier else ZERO
         return None if base is None else base - self.touching_arm(instant).along(way)
-
-    def place_round(self, side: Curved, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
-        """Of what goes round on a side of a body, from where that is: ρ cos(φ − direction)."""
-        base = place_of(PointRef(self.pair()[1].owner, "cm"))
-        circle = side.circle(rim_radius(instant.body(self.lying()), self.pair()[0].point) or ZERO)
-        if base is None or circle is None:
-            return None
-        level = side.base(circle) if way == UP else ZERO
-        return base + level + circle * (heading(self.touching_angle(instant)) - way).cos()
 
     def ground(self, instant: Moment) -> tuple[Vector, Vector]:
         """Velocity and acceleration of what it lies on."""

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from rotsolve.draw.plane.places.kinds import curve_radius
 from rotsolve.draw.plane.places.outlines import BodyOutline, Value, disc, polygon
-from rotsolve.elements.surfaces import Slope
 from rotsolve.language.bodies import Surface
 
 LONG = 3.8  # of a slope, in the width of a block
@@ -26,9 +25,8 @@ def sided_outline(sides: Sequence[Surface], value: Value, block: float) -> tuple
         size = curve_radius(side)
         if size is not None:
             return round_body(side, value(size))
-    angles = {
-        side.down: value(side.slope) for side in sides[::-1] if isinstance(side, Slope) and side.slope is not None
-    }
+    tilts = [(side, side.tilt()) for side in sides[::-1]]
+    angles = {getattr(side, "down", "right"): value(tilt) for side, tilt in tilts if tilt is not None}
     high = min(LONG * block * math.sin(angle) for angle in angles.values())
     right, left = (high / math.tan(angles[down]) if down in angles else 0.0 for down in ("right", "left"))
     middle, third = (right - left) / 3, high / 3

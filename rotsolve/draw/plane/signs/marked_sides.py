@@ -10,7 +10,6 @@ from rotsolve.draw.plane.places.kinds import curve_radius
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import ARC, told_words
 from rotsolve.draw.plane.signs.sheet import ScenePaper
-from rotsolve.elements.surfaces import Slope
 from rotsolve.language.bodies import Surface
 
 LEVEL = 1e-3  # of the height of a body, by which a corner is above its foot
@@ -20,20 +19,21 @@ def mark_sides(stage: PlaneStage, sheet: ScenePaper) -> None:
     """Each side on which something lies, once."""
     sides = {item.side.name: item.side for item in stage.kinds.contacts if item.side is not None}
     for side in sides.values():
-        if side.bearer() in stage.bodies and isinstance(side, Slope):
+        if side.bearer() in stage.bodies and not side.curved:
             mark_slope(side, stage, sheet)
         elif side.bearer() in stage.bodies:
             mark_round(side, stage, sheet)
 
 
-def mark_slope(side: Slope, stage: PlaneStage, sheet: ScenePaper) -> None:
+def mark_slope(side: Surface, stage: PlaneStage, sheet: ScenePaper) -> None:
     """The angle at the foot to which a body falls, within it."""
-    words, points = told_words(stage, side.slope), stage.bodies[side.bearer()].bound()
-    if words is None or side.slope is None:
+    tilt, points = side.tilt(), stage.bodies[side.bearer()].bound()
+    words = told_words(stage, tilt)
+    if words is None or tilt is None:
         return
-    right, low = side.down == "right", min(y for _, y in points)
+    right, low = getattr(side, "down", "right") == "right", min(y for _, y in points)
     feet = [point for point in points if point[1] - low <= LEVEL * (max(y for _, y in points) - low)]
-    foot, angle = sheet.at(max(feet) if right else min(feet)), stage.value(side.slope)
+    foot, angle = sheet.at(max(feet) if right else min(feet)), stage.value(tilt)
     sheet.angle(foot, ARC + 8.0, *((math.pi - angle, math.pi) if right else (0.0, angle)), words)
 
 
@@ -44,13 +44,13 @@ def mark_round(side: Surface, stage: PlaneStage, sheet: ScenePaper) -> None:
     if words is None or size is None:
         return
     centre = sheet.at(stage.bodies[side.bearer()].place)
-    taken = [bearing(centre, sheet.at(stage.bodies[item.lying()].place)) for item in stage.kinds.contacts if item.side]
+    taken = [way_off(centre, sheet.at(stage.bodies[item.lying()].place)) for item in stage.kinds.contacts if item.side]
     ways = [math.radians(way) for way in ((155.0, 35.0, 120.0) if normal_sign(side) > 0 else (215.0, 325.0, 250.0))]
     way = max(ways, key=lambda one: min(abs(math.remainder(one - other, 2 * math.pi)) for other in taken))
     sheet.radius(centre, stage.value(size) * sheet.scale, way, words)
     sheet.hub(centre)
 
 
-def bearing(centre: Point, place: Point) -> float:
+def way_off(centre: Point, place: Point) -> float:
     """The direction from one place on paper to another."""
     return math.atan2(place[1] - centre[1], place[0] - centre[0])
