@@ -13,7 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
-from rotsolve.confirm.sides import from_middle, gone_down, on_side
+from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
@@ -270,6 +270,8 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
         return momentum_rate(path, pose, model)
     if word == "velocity" and (sliding := on_side(name, model)) is not None:
         return gone_down(sliding, pose, model).slope, 1.0
+    if word == "velocity" and (rounding := on_round_side(name, model)) is not None:
+        return load(from_middle(rounding, pose, model), way_round(rounding, pose, model)), 1.0
     if word == "angular_velocity":
         item = next((item for item in model.acting.connections if item.name == name), None)
         owners = [ref.owner for ref in (item.between() or item.touches()) if ref.owner in model.seats] if item else []

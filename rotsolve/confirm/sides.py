@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from rotsolve.confirm.jet import Jet
-from rotsolve.confirm.pose import Pair, Pose, along
+from rotsolve.confirm.pose import Pair, Pose, Way, along
 from rotsolve.confirm.signs import surface_of, taken_aside, travel
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved, Level
@@ -30,6 +31,20 @@ def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
     under = item.pair()[1].owner
     u, w = pose.place(under, model.seats[under].rigid.centre)
     return x - u, y - w
+
+
+def on_round_side(name: str, model: Known) -> Touch | None:
+    """The contact of that name, where it lays a body on a round side of another one."""
+    item = next((item for item in model.acting.connections if item.name == name), None)
+    return item if isinstance(item, Touch) and isinstance(item.side, Curved) else None
+
+
+def way_round(item: Touch, pose: Pose, model: Known) -> Way:
+    """The way along a round side that counts as positive where a body is: to the right over the top, or through the lowest place."""
+    x, y = (part.value for part in from_middle(item, pose, model))
+    size = math.hypot(x, y) or 1.0
+    outside = isinstance(item.side, Curved) and item.side.outside
+    return (y / size, -x / size) if outside else (-y / size, x / size)
 
 
 def gone_down(item: Touch, pose: Pose, model: Known, *, gone: bool = False) -> Jet:

@@ -207,7 +207,7 @@ def line(name: str, model: Known) -> Way | None:
 
 def taken_aside(item: Touch, surface: Surface, model: Known) -> bool:
     """Whether the body whose side that is goes another way than along it."""
-    own, out = None if item.side is None else line(item.pair()[1].owner, model), normal(surface, model)
+    own, out = None if item.side is None else model.way(item.pair()[1].owner), normal(surface, model)
     return item.side is not None and (own is None or abs(own[0] * out[0] + own[1] * out[1]) > 1e-12)
 
 

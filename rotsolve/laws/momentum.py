@@ -113,7 +113,7 @@ def way_of_centre(bodies: list[BodyFacts], upwards: bool, before: list[Formula],
 def led_across(body: BodyFacts, axis: Heading) -> bool:
     """Whether a body travels along a line to which its word alone holds it, and which is not that of the axis."""
     way = body.motion.heading if body.motion.kind == "line" else None
-    return way is not None and (way - axis).sin() != ZERO and not any(force.role.presses for force in body.forces)
+    return way is not None and (way - axis).sin() != ZERO and not body.supported
 
 
 def named_together(names: Iterable[str]) -> str:

@@ -151,6 +151,9 @@ class OfElements(AtInstant, frozen=True):
     def sliding(self, path: Path, acting: Acting) -> Meaning | None:
         """How fast what lies on a side of a body slides down that, as seen from the body: (v − V) · e; likewise its acceleration."""
         item = self._connection(path.owner)
+        surface = item.surface(self.instant.configuration, self.instant.state) if item is not None else None
+        if item is not None and surface is not None and surface.curved and surface.bearer() and path.component is None:
+            return self._round_side(path, item)
         down = item.slides_down(self.instant) if item is not None else None
         if item is None or down is None or path.component is not None:
             return None
@@ -161,6 +164,14 @@ class OfElements(AtInstant, frozen=True):
         label = f"{path.quantity} of {spoken(item.lying())} relative to {spoken(item.places()[0].owner)}"
         words = ("down the slope", "up the slope")
         return Meaning(apart.along(down), QUANTITIES[path.quantity].dimension, label=label, words=words)
+
+    def _round_side(self, path: Path, item: Connection) -> Meaning | None:
+        """The speed u along a round side of a body, as seen from that."""
+        if path.quantity != "velocity":
+            return None
+        label = f"velocity of {spoken(item.lying())} relative to {spoken(item.places()[0].owner)}"
+        along = self.instant.ask("velocity", item.name, when=self.instant.moving, letter="u")
+        return Meaning(along, QUANTITIES["velocity"].dimension, label=label)
 
     def _stored(self, owner: str) -> Potential | None:
         """The energy that a spring or wire stores."""

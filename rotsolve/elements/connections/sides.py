@@ -43,7 +43,7 @@ def goes_aside(item: Laying, configuration: Surroundings, state: str) -> bool:
     """Whether a body lies on a flat side of one that does not travel along that side, so that it goes along no line."""
     if item.side is None or item.side.curved:
         return False
-    line = configuration.line(item.carrier(configuration), state)
+    line = configuration.line(configuration.host(item.carrier(configuration), state), state)
     return line is None or (line[0] - item.side.normal).cos() != ZERO
 
 
@@ -107,8 +107,11 @@ def check_side_of(item: Laying, side: Surface, scene: Surroundings) -> None:
     ref, under = item.pair()[:2]
     body, bearer = scene.bodies[ref.owner], scene.bodies[under.owner]
     states = scene.throughout(item.name)
-    led = all(scene.line(bearer.name, state) is not None for state in states) or bool(bearer.moved)
-    if bearer.turns is not None or bearer.name in scene.held or any(scene.can_turn(bearer.name, at) for at in states):
+    hosts = {state: scene.host(bearer.name, state) for state in states}
+    lies = any(one.lying() == bearer.name for one in scene.problem.connections)
+    led = lies or bool(bearer.moved) or all(scene.line(hosts[state], state) is not None for state in states)
+    turns = any(scene.can_turn(hosts[at], at) or scene.pivot(hosts[at], at) is not None for at in states)
+    if bearer.turns is not None or turns:
         message = f"`{side.name}` is a side of `{bearer.name}`, which turns: that is not solved yet"
         raise Unsolvable(message, span=under.span, help="solved is a body that travels along a line")
     if not led:
@@ -119,8 +122,18 @@ def check_side_of(item: Laying, side: Surface, scene: Surroundings) -> None:
         message = f"`{ref.owner}` on `{side.name}`, a side of `{bearer.name}`, is not solved yet"
         raise Unsolvable(message, span=ref.span, help="solved are particles, blocks without a shape, and round bodies")
     tracked = (one for at in states for one in scene.connections(at) if one.lying() == body.name)
-    led = any(one.track(body, scene, states[0]) is not None for one in tracked)
-    if body.moves is not None and not led:
+    if any(one.track(body, scene, states[0]) is not None for one in tracked):
+        return
+    check_alone(ref, side, scene)
+    if body.moves is not None:
         message = f"`{ref.owner}` goes with `{bearer.name}` as well as along `{side.name}`, not just {body.moves}"
         help = "leave `moves` out: its velocity has the components `velocity.x` and `velocity.y`"
         raise Unsolvable(message, span=body.span, help=help)
+
+
+def check_alone(ref: PointRef, side: Surface, scene: Surroundings) -> None:
+    """Nothing ties what goes along a side as well as with its body to anything else: which way a string runs there is not told."""
+    for other in scene.problem.connections:
+        if not other.lying() and any(one.owner == ref.owner for one in other.touches()):
+            message = f"`{other.name}` on `{ref.owner}`, which lies on `{side.name}`, a side of a body that moves, is not solved yet"
+            raise Unsolvable(message, span=ref.span, help="solved are forces and couples on it, and what lies on it")

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import FRICTION, LIES, NORMAL, ROCKS, TOUCHES, Force, Requirement, Rule, enough, square
+from rotsolve.core.facts import FRICTION, LIES, LOAD, NORMAL, ROCKS, TOUCHES, Force, Requirement, Rule, enough, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import has_quantities
@@ -552,7 +552,10 @@ class Touch(Connection, frozen=True):
         carrier = self.carrier(instant.configuration)
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
-            yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place, part=carrier)
+            role = LOAD if force.role == NORMAL else force.role
+            yield replace(
+                force, role=role, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place, part=carrier
+            )
 
 
 def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
