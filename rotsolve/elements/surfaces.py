@@ -147,6 +147,7 @@ class Corner(Curved, frozen=True):
 class Hollow(Curved, frozen=True):
     word = "hollow"
     away = "towards the centre"
+    into = "away from the centre"
     about = "the inside of a round bowl or loop"
     outside = False
     hollow: Formula | None = amount("radius", "length", "R", "positive", required=True)
@@ -179,6 +180,7 @@ class Wire(Curved, frozen=True):
 class Dome(Curved, frozen=True):
     word = "dome"
     away = "outward"
+    into = "inward"
     about = "the outside of a round hill"
     dome: Formula | None = amount("radius", "length", "R", "positive", required=True)
     of: str | None = key_of_bearer()

@@ -104,7 +104,7 @@ def way_of_centre(bodies: list[BodyFacts], upwards: bool, before: list[Formula],
     if len(gone) < len(bodies):
         return
     names, whole = tuple(body.name for body in bodies), named_together(body.name for body in bodies)
-    stays = f"the common centre of mass of {whole} does not go {'up or down' if upwards else 'sideways'}"
+    stays = f"no {'upward' if upwards else 'horizontal'} force: the centre of mass stays, {whole}"
     label = stays if total(before) == ZERO else f"momentum summed over the time, {whole}"
     right = [term * over.passage.duration for term in before]
     yield CENTRE_STAYS.equation(total(gone), total(right), over.section, names, words=label)

@@ -99,16 +99,16 @@ class Touch(Connection, frozen=True):
     def check(self, scene: Surroundings) -> None:
         """A body on a surface or on a body that travels, or two wheels side by side."""
         ref, under = self.pair()[:2]
-        if under.owner in scene.bodies and (ref.owner in scene.held or under.owner in scene.held or self.pressed):
+        if self.side is not None:
+            check_side_of(self, self.side, scene)
+            if isinstance(self.side, Curved):
+                self.check_curved(self.side, scene)
+        elif under.owner in scene.bodies and (ref.owner in scene.held or under.owner in scene.held or self.pressed):
             for wheel in self.pair():
                 check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
             if not self.side_by_side:
                 help = f"write `contact: [{ref.owner}, {under.owner}]`"
                 raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
-        elif self.side is not None:
-            check_side_of(self, self.side, scene)
-            if isinstance(self.side, Curved):
-                self.check_curved(self.side, scene)
         elif under.owner in scene.bodies:
             check_carrier(self, scene)
         self.check_side(scene)
