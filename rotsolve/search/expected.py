@@ -190,6 +190,20 @@ class Expected(Struct, frozen=True):
             return 0
         return 0 if share is None else way * self.numbers.sign([share.substitute({slides[0]: ONE})])
 
+    def round_from(self, owner: str, state: str) -> tuple[Formula, int] | None:
+        """Where on a round side of another body a body is at the state before one, and the sense in which it goes round from there."""
+        timeline = self.scene.configuration.timeline
+        before = timeline.before(state) if state in timeline.order else None
+        item = self.scene.configuration.connection(owner, before.start) if before is not None else None
+        if before is None or before.event is not None or item is None or not item.carrier(self.scene.configuration):
+            return None
+        first = self.scene.instant(before.start)
+        out, angle = item.away(first), item.touching_angle(first)
+        along = self.numbers.sign([first.ask("velocity", owner, when=first.moving, letter="u")])
+        if out is None or not along:
+            return None
+        return angle, along if (out - heading(angle)).degrees % 360 else -along
+
     def _slides_to(self, owner: str, phase: Interval) -> int:
         """The sense in which a body slides round a surface in a phase, positive to the right over its top or through its bottom."""
         first, last = (self.scene.instant(state) for state in (phase.start, phase.end))

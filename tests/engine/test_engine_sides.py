@@ -166,16 +166,45 @@ def test_where_it_leaves_a_free_dome(heavy: str) -> None:
     )
 
 
-def test_how_high_it_comes_in_a_free_bowl() -> None:
-    tail = "states: {s: {slide.angle: -90 deg, slide.velocity: 2 m/s, cart.velocity: 0}, e: {slide.velocity: 0}}\n"
+@pytest.mark.parametrize("speed", [2.0, -2.0])
+def test_how_high_it_comes_in_a_free_bowl(speed: float) -> None:
+    """There it goes with the cart; to the left it comes to the other root."""
+    tail = f"states: {{s: {{slide.angle: -90 deg, slide.velocity: {speed} m/s, cart.velocity: 0}}, e: {{slide.velocity: 0}}}}\n"
     tail += "find: {phi: slide.angle at e, V: cart.velocity at e}\n"
-    phi = asin(2.0**2 * M / (M + m) / (2 * G * R) - 1)
-    assert numbers(scene(BOWL, tail, CURVE="hollow")) == pytest.approx({"phi": phi, "V": 2 * m / (M + m)}, rel=1e-3)
-    with pytest.raises(
-        Unsolvable, match="contradicts `phi`"
-    ):  # to the left it is π − that: another root, which nothing here picks
-        solve(scene(BOWL, tail.replace("2 m/s", "-2 m/s").replace(", V: cart.velocity at e", ""), CURVE="hollow"))
-    assert -pi / 2 < phi < 0
+    phi = asin(speed**2 * M / (M + m) / (2 * G * R) - 1)
+    expected = {"phi": phi if speed > 0 else -pi - phi, "V": speed * m / (M + m)}
+    assert numbers(scene(BOWL, tail, CURVE="hollow")) == pytest.approx(expected, rel=1e-3)
+
+
+def test_where_it_leaves_a_free_dome_with_a_speed_is_refused() -> None:
+    """Its equation holds u and u² at once, and no law here tells one of them."""
+    tail = "states: {s: {slide.angle: 90 deg, slide.velocity: 1 m/s, cart.velocity: 0}, e: {slide: leaves}}\n"
+    with pytest.raises(Unsolvable, match="`phi` is not solved by these laws"):
+        solve(scene(BOWL, tail + "find: {phi: slide.angle at e in deg}\n", CURVE="dome"))
+
+
+def test_a_box_on_a_truck_of_told_acceleration() -> None:
+    """It needs no road; one that rises too is no level to lie on."""
+    truck = (
+        "title: x\ngiven: {m: 2 kg, mu: 0.3, a: ASKED}\n"
+        "bodies: {truck: {mass: 10 kg, acceleration: [a, UP]}, box: {mass: m, moves: right}}\n"
+        "connections: {grip: {contact: [box, truck], friction: mu}}\nstates: {start: at rest}\nfind: {x: WHAT}\n"
+    )
+    told = truck.replace("ASKED", "2 m/s^2").replace("WHAT", "grip.friction_force").replace("UP", "0")
+    assert numbers(told) == pytest.approx({"x": 4.0})
+    sought = truck.replace("ASKED", "unknown").replace("x: WHAT", "a: largest a where grip sticks").replace("UP", "0")
+    assert numbers(sought) == pytest.approx({"a": 0.3 * G})
+    with pytest.raises(Unsolvable, match="nothing tells on what `truck`"):
+        solve(told.replace("[a, 0]", "[a, 1 m/s^2]"))
+
+
+def test_a_block_on_a_plank_that_is_only_guided() -> None:
+    text = (
+        "title: x\ngiven: {M: 3 kg, m: 1 kg, F: 4 N}\nbodies: {plank: {mass: M, moves: right}, block: {mass: m, moves: right}}\n"
+        "connections: {grip: {contact: [block, plank], friction: 0.3}}\nactions: {pull: {force: F, on: plank}}\n"
+        "states: {start: at rest}\nfind: {a: block.acceleration, N: grip.normal_force}\n"
+    )
+    assert numbers(text) == pytest.approx({"a": 1.0, "N": m * G}, rel=1e-3)
 
 
 LIFT = GIVEN.replace("MORE", "a: A0") + (

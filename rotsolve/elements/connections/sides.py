@@ -96,7 +96,8 @@ def check_carrier(item: Laying, scene: Surroundings) -> None:
         )
         help = f"a side of it is a surface: `surfaces: {{side: {{slope: beta, of: {carrier.name}}}}}`; else solved is a level back"
         raise Unsolvable(message, span=under.span, help=help)
-    if not on_flat and carrier.moves not in ("left", "right"):
+    level = [told == ZERO for _, component, told in carrier.moved if component == "y"]
+    if not on_flat and carrier.moves not in ("left", "right") and not (level and all(level)):
         help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
         message = f"nothing tells on what `{carrier.name}`, which carries `{ref.owner}`, travels"
         raise Unsolvable(message, span=under.span, help=help)
