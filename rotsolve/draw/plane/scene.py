@@ -20,7 +20,6 @@ from rotsolve.draw.plane.signs.angles import draw_angles
 from rotsolve.draw.plane.signs.ghosts import draw_ghosts
 from rotsolve.draw.plane.signs.ground import draw_surfaces, told_words
 from rotsolve.draw.plane.signs.lengths import draw_lengths
-from rotsolve.draw.plane.signs.marked_sides import mark_sides
 from rotsolve.draw.plane.signs.names import draw_names
 from rotsolve.draw.plane.signs.senses import draw_senses
 from rotsolve.draw.plane.signs.sheet import ScenePaper
@@ -82,7 +81,10 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
     draw_plane_actions(stage, sheet)
     draw_blows(stage, sheet)
     draw_angles(stage, sheet)
-    mark_sides(stage, sheet)
+    if any(item.side is not None for item in stage.kinds.contacts):
+        from rotsolve.draw.plane.signs.marked_sides import mark_sides
+
+        mark_sides(stage, sheet)
     draw_lengths(stage, sheet)
     draw_senses(stage, sheet)
     draw_names(stage, sheet)

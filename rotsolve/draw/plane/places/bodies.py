@@ -13,7 +13,6 @@ from rotsolve.confirm.signs import normal, rests, surface_of
 from rotsolve.draw.paper.figure import Point, shifted_by
 from rotsolve.draw.plane.places.kinds import ConnectionKinds, curve_radius
 from rotsolve.draw.plane.places.outlines import BodyOutline, Value, body_outlines, box, disc, polygon, spun
-from rotsolve.draw.plane.places.sided import sided_outline
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body
 from rotsolve.language.elements import Connection
@@ -154,6 +153,8 @@ def plain_outline(
         return (plate(body, value, sizes),), False
     sides = [item.side for item in kinds.contacts if item.side is not None and item.side.bearer() == name]
     if sides and body.shape is None and not body.parts:
+        from rotsolve.draw.plane.places.sided import sided_outline
+
         riders = [item.lying() for item in kinds.contacts if item.side in sides]
         radii = [radius_of(model.body(rider), None, model.value) or 0.0 for rider in riders]
         return sided_outline(sides, value, max(sizes.block, *(ROOM * radius for radius in radii))), not sides[0].curved
