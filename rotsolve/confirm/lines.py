@@ -222,7 +222,8 @@ def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body that flies now was on a curved surface of known form."""
     lying = {item.lying() for item in model.acting.connections}
     for item in taken_from_under(model) if name not in lying else ():
-        places = [surface for surface in model.problem.surfaces if surface.name in {ref.owner for ref in item.places()}]
+        names = {ref.owner for ref in item.places()} | ({item.side.name} if item.side is not None else set())
+        places = [surface for surface in model.problem.surfaces if surface.name in names]
         curved = [surface for surface in places if isinstance(surface, Curved) and surface.radius() is not None]
         if item.lying() == name and curved:
             return item, curved[0]
