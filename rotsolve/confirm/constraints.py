@@ -14,6 +14,7 @@ from rotsolve.confirm.bodies import on_rim, part_of, radius_of
 from rotsolve.confirm.jet import Jet, arctangent, distance
 from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
+from rotsolve.confirm.sides import from_middle
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import BY_INERTIA, TURNING
 from rotsolve.elements.connections.contact import Contact, Rolls
@@ -215,7 +216,8 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
     else:
         place = tied_at(ref, pose, model)
     if under.owner in model.seats:
-        if not rests(item, model) or shape_of(model.body(under.owner)).points[:1] == ("corner1",):
+        cornered = item.side is None and shape_of(model.body(under.owner)).points[:1] == ("corner1",)
+        if cornered or not rests(item, model):
             raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
         x, y = pose.place(under.owner, model.seats[under.owner].rigid.centre)
         place = place[0] - x, place[1] - y
@@ -258,7 +260,7 @@ def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
         else 0.0
     )
     circle = model.value(size) + (rim if outside else -rim)
-    x, y = pose.place(ref.owner, (0.0, 0.0))
+    x, y = from_middle(item, pose, model)
     away = distance(x, y) - circle
     yield held(item.name, "normal", away if outside else -away, pose, hard=True, push=not surface.two_sided)
     slip = pose.turn(ref.owner) * rim + arctangent(y, x) * (-circle if outside else circle)

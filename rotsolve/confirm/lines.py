@@ -13,6 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
+from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
@@ -143,6 +144,8 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
             return from_axis(path.owner, pose, model)
         return None
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
+    if path.quantity == "displacement" and (item := on_side(path.owner, model)) is not None:
+        return gone_down(item, pose, model, gone=True)
     if isinstance(contact, Drapes) and path.quantity == "length":
         from rotsolve.confirm.carried import hanging
 
@@ -150,7 +153,7 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
     if isinstance(contact, Touch) and path.quantity == "angle":
         surface = surface_of(contact, model)
         if isinstance(surface, Curved):
-            x, y = pose.place(contact.lying(), (0.0, 0.0))
+            x, y = from_middle(contact, pose, model)
             return arctangent(y, x)
     if path.quantity == "angle" and (wound := wound_by(path.owner, model)):
         return twist(wound, pose, model)
@@ -200,6 +203,12 @@ def from_axis(name: str, pose: Pose, model: Known) -> Jet | None:
 
 
 def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
+    """The contact by which a body is on a curved surface of known form that does not move."""
+    found = on_curve(name, model)
+    return None if found is None or found[0].side is not None else found
+
+
+def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body is on a curved surface of known form."""
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name:
@@ -213,7 +222,8 @@ def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body that flies now was on a curved surface of known form."""
     lying = {item.lying() for item in model.acting.connections}
     for item in taken_from_under(model) if name not in lying else ():
-        places = [surface for surface in model.problem.surfaces if surface.name in {ref.owner for ref in item.places()}]
+        names = {ref.owner for ref in item.places()} | ({item.side.name} if item.side is not None else set())
+        places = [surface for surface in model.problem.surfaces if surface.name in names]
         curved = [surface for surface in places if isinstance(surface, Curved) and surface.radius() is not None]
         if item.lying() == name and curved:
             return item, curved[0]
@@ -231,10 +241,10 @@ def circle_of(found: tuple[Touch, Curved], model: Known) -> float:
 
 def height(name: str, pose: Pose, model: Known) -> Jet | None:
     """Of a body on a curved surface, or that has left one: above the centre of a dome, above the lowest place in a bowl."""
-    found = bent(name, model) or left_from(name, model)
+    found = on_curve(name, model) or left_from(name, model)
     if found is None:
         return None
-    return pose.place(name, (0.0, 0.0))[1] + (0.0 if found[1].outside else circle_of(found, model))
+    return from_middle(found[0], pose, model)[1] + (0.0 if found[1].outside else circle_of(found, model))
 
 
 def arc(name: str, pose: Pose, model: Known) -> Jet | None:
@@ -259,6 +269,10 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
             way = direction(path, place, pose, model)
             return None if way is None else (load(place, way), 1.0)
         return momentum_rate(path, pose, model)
+    if word == "velocity" and (sliding := on_side(name, model)) is not None:
+        return gone_down(sliding, pose, model).slope, 1.0
+    if word == "velocity" and (rounding := on_round_side(name, model)) is not None:
+        return load(from_middle(rounding, pose, model), way_round(rounding, pose, model)), 1.0
     if word == "angular_velocity":
         item = next((item for item in model.acting.connections if item.name == name), None)
         owners = [ref.owner for ref in (item.between() or item.touches()) if ref.owner in model.seats] if item else []

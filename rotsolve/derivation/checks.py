@@ -84,6 +84,8 @@ def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> boo
     group = next((names for names in passage.groups if travel.body in names), frozenset[str]())
     others = [other for other in passage.travels if other.body in group and other is not travel]
     rates = [rate for other in others for rate in (other.before, search.numbers.push(other.initial))]
+    pushed = [body.motion.acceleration for body in passage.start.bodies if body.name in group]
+    rates += [search.numbers.push(size) for acceleration in pushed for size, _ in acceleration.parts]
     return any(rate is not None and search.numbers.side(search.numbers.with_answers(rate)) for rate in rates)
 
 

@@ -52,7 +52,9 @@ def unread(item: Noted) -> tuple[str, ...]:
 def as_written(item: Declaring) -> Declaring:
     """The record with all its fields in their slots, as functions that compare look for them, and nothing of it read by that."""
     beside = item.__dict__.get(BESIDE, {})
-    return type(item)(**{name: beside[name] if name in beside else getattr(item, name) for name in item.__struct_fields__})
+    return type(item)(
+        **{name: beside[name] if name in beside else getattr(item, name) for name in item.__struct_fields__}
+    )
 
 
 def read_all(item: Declaring) -> Declaring:

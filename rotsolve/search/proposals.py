@@ -89,7 +89,14 @@ def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tu
     """Whether a question has an answer in the scene with the lines of a proposal, and nothing contradicts it; looked into once for all
     cases of its letters."""
     problem = scene.configuration.problem
-    key = (tuple(problem.lines), tuple(map(as_written, problem.bodies)), problem.states, find.name, proposal.words, families)
+    key = (
+        tuple(problem.lines),
+        tuple(map(as_written, problem.bodies)),
+        problem.states,
+        find.name,
+        proposal.words,
+        families,
+    )
     if key not in LED_ON:
         while len(LED_ON) >= REMEMBERED:
             del LED_ON[next(iter(LED_ON))]

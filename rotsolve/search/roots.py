@@ -135,6 +135,7 @@ class RootChoice(Struct, frozen=True):
             alike = tuple(index for index, _ in found)
             return PickedRoot(self._smallest(found, roots), told, guessed=count > 1, alike=alike)
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered, period)
+        reached = self._first_round(name, numbered) if reached is None else reached
         if reached is not None:
             return reached
         sign, words = self._expected(name)
@@ -145,6 +146,28 @@ class RootChoice(Struct, frozen=True):
             return PickedRoot(self._smallest(real, roots), ("the smallest angle",), guessed=True)
         positive = [entry for entry in real if entry[1] >= 0]
         return PickedRoot(self._smallest(positive or real, roots), ("the positive root",), guessed=len(positive) != 1)
+
+    def _first_round(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
+        """Of several places on a round side of a body the one to which comes first what is told to move at the state before."""
+        quantity = self.scene.registry.quantities.get(name)
+        if quantity is None or quantity.kind != "angle" or quantity.owner in self.scene.configuration.bodies:
+            return None
+        found = Expected(self.scene, self.givens, self.numbers).round_from(quantity.owner, quantity.when)
+        start = None if found is None else self.numbers.found(found[0])
+        if found is None or start is None:
+            return None
+        sense, ways = found[1], list[tuple[float, int, int]]()
+        for index, root in roots:
+            place = self.numbers.of(root)
+            if place is not None:
+                way = (sense * (place - start)) % math.tau
+                way = way if way > SAME else way + math.tau
+                ways.append((way, index, round((start + sense * way - place) / math.tau)))
+        if not ways:
+            return None
+        decided_by_size()
+        _, index, turns = min(ways)
+        return PickedRoot(index, ("the first place to which it comes",), Fraction(turns), 2 * PI)
 
     def _left(self, name: str, real: list[tuple[int, float]], roots: Sequence[Formula]) -> list[tuple[int, float]]:
         """Without the place from which a motion along a line sets out from rest, where it is looked for at rest again."""

@@ -66,7 +66,7 @@ class Contact(Touch, frozen=True):
         """From above what lies on a level table rubs over its whole face, and a particle on what turns goes round with it."""
         own, under = self.contact[0].owner, self.contact[1].owner
         if scene.plane != "horizontal" or self.friction.kind == "none" or len(self.contact) > 2:
-            return self
+            return super().seen(scene, level)
         bodies = {body.name: body for body in scene.bodies}
         if own in bodies and under in bodies and shape_of(bodies[own]).pointlike and self.press is None:
             held = {ref.owner for item in scene.connections for ref in item.fixed_points()}

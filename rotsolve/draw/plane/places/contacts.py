@@ -91,8 +91,9 @@ def rolling_rim(item: Touch, stage: PlaneStage) -> tuple[float, Point] | None:
 
 def lay_round(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     """On a curved surface at the angle that the assembly tells; where its form is not known, at its beginning."""
-    name, size = item.lying(), curve_radius(surface)
-    centre, body = middle_unknown(surface, stage), stage.bodies[item.lying()]
+    name, size, under = item.lying(), curve_radius(surface), item.pair()[1].owner
+    centre = stage.origin(under) if item.side is not None else middle_unknown(surface, stage)
+    body = stage.bodies[name]
     if size is None:
         stage.layout.meet(centre, stage.origin(name))
         lead_on(item, name, stage)
@@ -100,7 +101,8 @@ def lay_round(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     rim = rolling_rim(item, stage)
     radius = rim[0] if rim is not None else body.reach((0.0, -1.0)) if body.block else 0.0
     x, y = stage.drawn_at(name)
-    angle = math.atan2(y, x)
+    u, w = stage.drawn_at(under) if item.side is not None else (0.0, 0.0)
+    angle = math.atan2(y - w, x - u)
     outside = normal_sign(surface)
     circle = stage.value(size) + outside * radius
     stage.layout.meet(place_off(centre, (circle * math.cos(angle), circle * math.sin(angle))), stage.origin(name))

@@ -77,6 +77,12 @@ def draw_contact_angle(path: Path, value: Formula, stage: PlaneStage, sheet: Sce
     for item in stage.kinds.contacts:
         if item.name != path.owner:
             continue
+        if item.side is not None and item.side.bearer() in stage.bodies:
+            places = (stage.bodies[name].place for name in (item.side.bearer(), item.lying()))
+            centre, body = (sheet.at(place) for place in places)
+            sheet.figure.line([centre, body], AXIS)
+            draw_angle(value, centre, ARC + 6.0, stage, sheet)
+            continue
         for surface, where in stage.surfaces.values():
             if curve_radius(surface) is not None:
                 x, y = (part.at(stage.found) for part in where)
