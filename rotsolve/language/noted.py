@@ -49,7 +49,7 @@ def unread(item: Noted) -> tuple[str, ...]:
     return tuple(item.__dict__.get(BESIDE, ()))
 
 
-def as_written(item: Declaring) -> Declaring:
+def with_all_slots(item: Declaring) -> Declaring:
     """The record with all its fields in their slots, as functions that compare look for them, and nothing of it read by that."""
     beside = item.__dict__.get(BESIDE, {})
     return type(item)(

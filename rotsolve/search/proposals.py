@@ -12,7 +12,7 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import is_quantity
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.noted import as_written
+from rotsolve.language.noted import with_all_slots
 from rotsolve.language.problem import Condition, Find, Path, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
@@ -91,7 +91,7 @@ def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tu
     problem = scene.configuration.problem
     key = (
         tuple(problem.lines),
-        tuple(map(as_written, problem.bodies)),
+        tuple(map(with_all_slots, problem.bodies)),
         problem.states,
         find.name,
         proposal.words,
