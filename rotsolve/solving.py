@@ -160,6 +160,15 @@ def turnable(search: Search) -> bool:
     return any(travel.pace == POSITION for over in search.scene.passages.values() for travel in over.travels)
 
 
+def steady_and_untimed(search: Search, balls: KnownBalls) -> bool:
+    """Whether some phase has steady accelerations, and nothing that is asked tells how long it lasts."""
+    return any(
+        travel.pace == CONSTANT and balls.size(over.duration) is None
+        for over in search.scene.passages.values()
+        for travel in over.travels
+    )
+
+
 def nears(search: Search) -> bool:
     """Whether a state may be one to which nothing comes: forces vary with the motion, a quantity is largest there, something decays."""
     if any(found.formula is not None and found.formula.holds("log") for found in search.solver.solved.values()):
@@ -369,6 +378,11 @@ def check_consistent(search: Search) -> KnownBalls:
         from rotsolve.search.reached import not_reached
 
         for refusal in not_reached(search):
+            raise refusal
+    if len(problem.states) > 1 and steady_and_untimed(search, balls):
+        from rotsolve.search.reached import led_away_from
+
+        for refusal in led_away_from(search, balls):
             raise refusal
     if any(search.scene.configuration.rides(state.name) for state in problem.states):
         from rotsolve.search.riding import barred_rides

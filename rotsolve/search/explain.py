@@ -26,6 +26,7 @@ from rotsolve.core.writing import in_direction, spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem, State
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.hereafter import HEREAFTER
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import path_text
 from rotsolve.plan import Shortage
@@ -285,11 +286,11 @@ def suggestion_in_space(missing: Sequence[SceneQuantity | str], find: Find, scen
 
 
 def unreached(scene: SceneEquations) -> str:
-    """A state after the first of which nothing is said and to which no event leads."""
+    """A state of the scene after the first of which nothing is said and to which no event leads."""
     timeline = scene.configuration.timeline
     for interval in timeline.intervals:
         end = timeline.state(interval.end)
-        if interval.event is None and not end.conditions and not end.balance:
+        if interval.event is None and not end.conditions and not end.balance and end.name != HEREAFTER:
             return end.name
     return ""
 
