@@ -37,7 +37,7 @@ class InForce:
         self.bodies = {body.name: self._body(body) for body in problem.bodies}
 
     def _gone(self) -> frozenset[str]:
-        """What events have taken away, or have yet to begin; what the phase that follows, or where none does that which ends, does without."""
+        """What events have taken away, or have yet to begin; what the phase does without that follows, else that which ends there."""
         gone = {name for event in self.problem.events for name in event.begins()}
         passed: list[Event] = []
         for event in sorted(self.past, key=lambda event: self.order.get(event.to or "", 0)):

@@ -147,9 +147,8 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     if (name := inertia_untold(error.shortage.unknowns, search)) is not None:
         message = f"too little is known to find `{find.name}`{alone}: nothing tells the moment of inertia of `{name}` across its axis"
         return unsolvable(problem, message, find.span, ACROSS, kind=INCOMPLETE)
-    if (name := moved_by_place(find, search.scene)) is not None:
-        message = f"the motion of `{name}` as a function of time is not solved yet"
-        return unsolvable(problem, message, find.span, TIME_IN_LETTERS, kind=UNSOLVED)
+    if find.runs and moved_by_place(search.scene) is not None:
+        return by_time_in_letters(search.scene, find)
     pool = [search.planner.pool[index] for index in error.shortage.equations]
     laws = [law for law in pool if law.law.words and not any(key_of(name).kind == ASKED for name in law.symbols())]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
@@ -159,10 +158,14 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
 
 
-def moved_by_place(find: Find, scene: SceneEquations) -> str | None:
-    """A body whose acceleration goes by its place or speed, where something is asked at any time."""
-    if not find.runs:
-        return None
+def by_time_in_letters(scene: SceneEquations, find: Find) -> Unsolvable:
+    """A motion whose acceleration goes by the place or the speed, of which something is asked at any time."""
+    message = f"the motion of `{moved_by_place(scene)}` as a function of time is not solved yet"
+    return unsolvable(scene.configuration.problem, message, find.span, TIME_IN_LETTERS, kind=UNSOLVED)
+
+
+def moved_by_place(scene: SceneEquations) -> str | None:
+    """A body whose acceleration goes by its place or speed."""
     travels = (travel for over in scene.passages.values() for travel in over.travels if travel.given not in (0, 1))
     return next((travel.body for travel in travels if travel.pace not in (CONSTANT, TIME)), None)
 

@@ -1,4 +1,4 @@
-"""What a later state says may be so where the motion sets out as well: meant is the first instant after that, the first place on the way."""
+"""What a later state says may be so where the motion sets out as well: meant is the first instant after that."""
 
 from __future__ import annotations
 
