@@ -270,9 +270,13 @@ class RootChoice(Struct, frozen=True):
         return self.numbers.with_answers(self.scene.instant(before.start).time()) if before else None
 
     def _is_change(self, name: str) -> bool:
-        """Whether a quantity is a change since the state before, or the time that it took."""
+        """Whether a quantity is a change since the state before, or the time that it took; a stretch of a spring if that was not stretched."""
         quantity = self.scene.registry.quantities.get(name)
-        return quantity is not None and quantity.kind in ("displacement", "rotation", "time", "elongation")
+        if quantity is None or quantity.kind != "elongation":
+            return quantity is not None and quantity.kind in ("displacement", "rotation", "time")
+        travels = (travel for passage in self.scene.passages.values() for travel in passage.travels)
+        starts = [travel.start for travel in travels if travel.end == Symbol(name)]
+        return all(start is None or self.numbers.found(start) == 0.0 for start in starts)
 
     def _is_angle(self, name: str) -> bool:
         """Whether a letter is an angle."""

@@ -85,6 +85,21 @@ def test_a_collar_comes_to_rest_ahead_of_it(kind: str) -> None:
     assert 2 * G * x + begun == pytest.approx(stored, rel=1e-5)
 
 
+@pytest.mark.parametrize(("before", "place"), [("far", 0.0), ("low", 0.392)])
+def test_a_block_on_a_spring_goes_on_from_a_place_to_the_next_turning_point(before: str, place: float) -> None:
+    """The place at which it is not stretched is a turning point like the other, and no start, where another state lies between."""
+    back = "far: {block.velocity: 0}, " if before == "far" else ""
+    text = f"""
+title: on a spring
+given: {{m: 2 kg, k: 100 N/m}}
+bodies: {{block: {{mass: m, moves: down}}}}
+connections: {{coil: {{spring: [ceiling, block], stiffness: k}}}}
+states: {{go: {{coil.elongation: 0, at rest: all}}, {back}mid: {{coil.elongation: 0.1 m}}, end: {{block.velocity: 0}}}}
+find: {{x: coil.elongation at end}}
+"""
+    assert number(text) == pytest.approx(place, abs=1e-4)
+
+
 def test_a_rod_on_collars_comes_to_rest_past_a_place_on_its_way() -> None:
     text = """
 title: collars
