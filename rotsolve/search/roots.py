@@ -270,7 +270,7 @@ class RootChoice(Struct, frozen=True):
         return self.numbers.with_answers(self.scene.instant(before.start).time()) if before else None
 
     def _is_change(self, name: str) -> bool:
-        """Whether a quantity is a change since the state before, or the time that it took; a stretch of a spring if that was not stretched."""
+        """Whether a quantity is a change since the state before, or its time; a stretch is one where the spring was not stretched."""
         quantity = self.scene.registry.quantities.get(name)
         if quantity is None or quantity.kind != "elongation":
             return quantity is not None and quantity.kind in ("displacement", "rotation", "time")
