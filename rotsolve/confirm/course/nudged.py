@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.confirm.course.energy import rates_along
 from rotsolve.confirm.course.node import Node, unpushed
+from rotsolve.confirm.lines import placed_value
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.problem import Condition, Path, State
 
@@ -23,8 +24,10 @@ def barely_moving(first: Node, state: State) -> Node | None:
     )
     if touch is None or not unpushed(first):
         return None
-    along, seat = first.line(touch.lying()), first.model.seats[touch.lying()]
-    way = rates_along(first, first.placed.q, Condition(Path(touch.name, "angle")))
+    along, seat, round_ = first.line(touch.lying()), first.model.seats[touch.lying()], Path(touch.name, "angle")
+    if placed_value(round_, first.pose, first.model) is None:  # what is flat has no verge
+        return None
+    way = rates_along(first, first.placed.q, Condition(round_))
     if way is None or along is None:
         return None
     pace = way[seat.first] * along[0] + way[seat.first + 1] * along[1]
