@@ -7,7 +7,7 @@ whether it is asked for or not. Of letters all these are conditions of the case.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
@@ -24,7 +24,7 @@ from rotsolve.laws.energy import energy
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import NoAnswer
-from rotsolve.search.consistency import KnownBalls, just_stops
+from rotsolve.search.consistency import just_stops
 from rotsolve.search.endings import GROWS, never_reached
 from rotsolve.search.search import Search
 
@@ -63,32 +63,20 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
             yield never_reached(interval, configuration, why or turned, sure=bool(why))
 
 
-def led_away_from(search: Search, balls: KnownBalls) -> Iterator[NeverReached]:
-    """The states that tell a rate to which a steady acceleration does not lead, Δv/a < 0, where no question asks when that is or where."""
+def led_away_from(intervals: Iterable[Interval], search: Search) -> Iterator[NeverReached]:
+    """The states that tell a rate to which a steady acceleration does not lead, Δv/a < 0, of phases whose time nothing else tells."""
     configuration, aside = search.scene.configuration, search.apart(careful=True)
-    for interval in configuration.timeline.intervals:
-        passage = search.scene.passages.get(interval.name)
-        steady = [] if passage is None else [travel for travel in passage.travels if travel.pace == CONSTANT]
-        if passage is None or not steady or not tells_rate(configuration.timeline.state(interval.end)):
-            continue
-        if balls.size(passage.duration) is not None or not has_quantities(passage.times[1]):
-            continue
+    for interval in intervals:
+        passage = search.scene.passages[interval.name]
         lasts = aside.settled(passage.duration)
         side = None if lasts is None or has_quantities(lasts) else search.numbers.side(lasts)
         if side == -1:
             yield never_reached(interval, configuration, "what moves goes away from it")
-        for travel in steady if side is None else ():
+        for travel in passage.travels if side is None else ():
             push, gained = aside.settled(travel.acceleration), aside.settled(travel.after - travel.before)
             sides = [None if value is None else search.numbers.side(value) for value in (push, gained)]
-            if sides[0] == 0 and sides[1]:
+            if travel.pace == CONSTANT and sides[0] == 0 and sides[1]:
                 yield never_reached(interval, configuration, f"{spoken(travel.body)} goes on as fast as it does")
-
-
-def tells_rate(state: State) -> bool:
-    """Whether a state tells how fast something moves, or slips."""
-    paths = [line.path.quantity for line in state.conditions if line.path is not None and line.value is not None]
-    said = any(line.word in ("rolls", "sticks") or line.rest for line in state.conditions)
-    return said or not {"velocity", "angular_velocity"}.isdisjoint(paths)
 
 
 def only_neared(passage: Passage, search: Search, aside: Search) -> str:
