@@ -51,7 +51,7 @@ DISTURBED = "book-about-its-middle-axis stability-of-three-axes"  # by Euler's e
 NUTATION = "sleeping-top-touched spherical-pendulum-nods top-that-trembles"  # small, in the effective potential
 NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on-a-tilted-turntable"
 TOLD_BY_POWER = "flywheel-constant-power"
-UNKNOWN_TRACK = "loop-the-loop"
+UNKNOWN_TRACK = "loop-the-loop rough-slide-then-smooth-one"
 GIVEN_TURN = "momentum-as-a-function-of-time"
 ROUND_SIDES = "particle-in-a-free-bowl particle-off-a-free-dome"  # v = V + u t ties rates at one moment
 

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.confirm.course.energy import rates_along
 from rotsolve.confirm.course.node import Node, unpushed
+from rotsolve.confirm.lines import placed_value
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.problem import Condition, Path, State
 
@@ -35,8 +36,10 @@ def barely_moving(first: Node, state: State) -> Node | None:
 
 def forth(touch: Touch, line: Condition, first: Node) -> list[float] | None:
     """The rates with which a body that is to leave a surface goes along it as fast as one, the way that counts as positive."""
-    along, seat = first.line(touch.lying()), first.model.seats[touch.lying()]
-    way = rates_along(first, first.placed.q, Condition(Path(touch.name, "angle"))) if line.word == "leaves" else None
+    along, seat, round_ = first.line(touch.lying()), first.model.seats[touch.lying()], Path(touch.name, "angle")
+    if line.word != "leaves" or placed_value(round_, first.pose, first.model) is None:  # what is flat has no verge
+        return None
+    way = rates_along(first, first.placed.q, Condition(round_))
     if way is None or along is None:
         return None
     pace = way[seat.first] * along[0] + way[seat.first + 1] * along[1]
