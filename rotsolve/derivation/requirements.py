@@ -76,6 +76,10 @@ def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Ite
         from rotsolve.derivation.on_the_way import untold_pushes
 
         yield from untold_pushes(search)
+    if search.signs.trials and any(surface.curved for surface in search.scene.configuration.surfaces.values()):
+        from rotsolve.search.tops import untold_tops
+
+        yield from untold_tops(search)
     if moment is None and search.scene.configuration.mentions.functions:
         from rotsolve.derivation.lasting import endings_told
 
