@@ -62,7 +62,7 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
                         continue
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
-        yield from shares_told(place, needs, search)
+        yield from shares_told(place, needs, search, letters)
     yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
         from rotsolve.derivation.parted import untold_barriers, untold_meetings
