@@ -20,7 +20,7 @@ from rotsolve.search.answers import unsolvable
 from rotsolve.search.letterspace import ranged_over
 
 if TYPE_CHECKING:
-    from rotsolve.core.derivation import Answer
+    from rotsolve.core.derivation import Answer, Check
     from rotsolve.language.problem import Find, Problem
     from rotsolve.solution import Solution
 
@@ -75,6 +75,22 @@ def held_alone(problem: Problem, solution: Solution, solve: SolveFor) -> Solutio
     kept = tuple(answer for answer in solution.derivation.answers if answer.name not in names)
     told = (*solution.derivation.refused, *refused)
     return replace(solution, derivation=replace(solution.derivation, answers=kept, refused=told))
+
+
+def with_all_verges(problem: Problem, solution: Solution, solve: SolveFor) -> Solution:
+    """The solution with what does not hold at each of several verges, `smallest mu where A sticks`: together they are held against one."""
+    verges = [find for find in problem.finds if find.verge]
+    objections: list[Check] = []
+    for find in verges if len(verges) > 1 else ():
+        try:
+            checks = solve((find,)).checks
+        except (Unsolvable, SceneError):
+            continue
+        objections += [check for check in checks if check.holds is False and check not in solution.checks]
+    if not objections:
+        return solution
+    told = (*solution.derivation.checks, *dict.fromkeys(objections))
+    return replace(solution, derivation=replace(solution.derivation, checks=told))
 
 
 def same_cases(one: Answer, other: Answer) -> bool:

@@ -236,3 +236,27 @@ def test_one_coefficient_of_two_contacts_has_the_root_at_which_both_hold(way: st
     solution = rotsolve.solve(text)
     assert solution.answers["mu"].float == pytest.approx((1 - math.sin(math.radians(50))) / math.cos(math.radians(50)))
     assert all(verdict.holds for verdict in solution.derivation.confirmed)
+
+
+A_FRAME = """
+title: Two rods that lean on each other
+given: {m: 2 kg, M: 6 kg, L: 0.7 m, th: 60 deg, mu: unknown}
+surfaces: {floor: level}
+bodies: {a: {shape: rod, mass: m, length: L}, b: {shape: rod, mass: M, length: L}}
+connections:
+  C: {hinge: [a.end, b.end]}
+  A: {contact: [a.start, floor], friction: mu}
+  B: {contact: [b.start, floor], friction: mu}
+states: {rest: {a.angle: th, b.angle: 180 deg - th, balance: true}}
+find: {ASKED}
+"""
+LIGHT, HEAVY = "one: smallest mu where A sticks", "two: smallest mu where B sticks"
+
+
+@pytest.mark.parametrize(
+    ("asked", "fails"), [((LIGHT, HEAVY), True), ((HEAVY, LIGHT), True), ((HEAVY,), True), ((LIGHT,), False)]
+)
+def test_what_slips_at_one_of_several_verges_is_told_in_any_order(asked: tuple[str, ...], fails: bool) -> None:
+    """The light rod's foot slips below μ = 0.385 already, the heavy one's at 0.231."""
+    checks = rotsolve.solve(A_FRAME.replace("ASKED", ", ".join(asked))).checks
+    assert any(check.holds is False for check in checks) == fails
