@@ -260,3 +260,11 @@ def test_what_slips_at_one_of_several_verges_is_told_in_any_order(asked: tuple[s
     """The light rod's foot slips below μ = 0.385 already, the heavy one's at 0.231."""
     checks = rotsolve.solve(A_FRAME.replace("ASKED", ", ".join(asked))).checks
     assert any(check.holds is False for check in checks) == fails
+
+
+def test_in_letters_a_verge_is_not_told_in_the_cases_of_another() -> None:
+    """μ for A holds where M ≥ m, that for B where M ≤ m."""
+    text = A_FRAME.replace("ASKED", f"{LIGHT}, {HEAVY}").replace("m: 2 kg, M: 6 kg", "m: kg, M: kg")
+    found = rotsolve.solve(text).derivation
+    assert [answer.name for answer in found.answers] == ["one"]
+    assert [item.name for item in found.refused] == ["two"]
