@@ -224,6 +224,12 @@ class Search(Struct, dict=True):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
         passed = () if self.ground is None else self.ground.passed_over.get(name, ())
         fitting = [number for number in fitting if roots[number] not in passed]
+        if self.seeking is not None:
+            from rotsolve.search.consistency import without_void
+
+            fitting = without_void(name, roots, fitting, self)
+            if not fitting:
+                return None
         if passed and len(fitting) == 1:
             return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
         left = [roots[number] for number in fitting]

@@ -42,6 +42,9 @@ def tried(find: Find, said: float, course: Course, value: Value, scans: Scans | 
         return number(place_of_largest(find, said, course, value, scans))
     elif phrase is not None and condition.value is not None:
         goal = course.value(condition.value)
+        if goal and sign_untold(phrase, at(said)):
+            zero(said, lambda found: value(phrase, at(found)) - abs(goal))
+            raise NotConfirmed("which way it points, by which its sign counts")
         zero(said, lambda found: value(phrase, at(found)) - goal)
     elif condition.word in ("sticks", "rolls"):
         verge(find, condition, said, at)
@@ -50,11 +53,21 @@ def tried(find: Find, said: float, course: Course, value: Value, scans: Scans | 
     return number(said)
 
 
+def sign_untold(phrase: Find, course: Course) -> bool:
+    """Whether a quantity is told by its size alone: friction that holds, which points as a question counts it."""
+    from rotsolve.confirm.course.asked import Asker
+
+    try:
+        return Asker(course.problem, course).valued(phrase).sized
+    except (LetsGo, Unbalanced):  # only just: rounding decides
+        return any(term.path.quantity == "friction_force" for term in phrase.terms)
+
+
 def zero(said: float, gap: Callable[[float], float]) -> None:
     """The gap changes its sign at the answer; where on one side of it the motion has no such end, it vanishes there from the other."""
     step = NEAR * (abs(said) or 1.0)
     low, high = (gap_or_lost(gap, said + side) for side in (-step, step))
-    if isinstance(low, LetsGo) or isinstance(high, LetsGo):
+    if not (isinstance(low, float) and isinstance(high, float)):
         return last_held(said, gap, low, high)
     if min(abs(low), abs(high)) <= NONE * max(abs(low), abs(high)):
         raise NotConfirmed("its condition holds with other values too")
@@ -62,19 +75,21 @@ def zero(said: float, gap: Callable[[float], float]) -> None:
         raise Broken("its condition does not hold with it")
 
 
-def gap_or_lost(gap: Callable[[float], float], at: float) -> float | LetsGo:
-    """The gap at a number; what lets go before the state is reached, where something does."""
+def gap_or_lost(gap: Callable[[float], float], at: float) -> float | LetsGo | Unbalanced:
+    """The gap at a number; what lets go before the state is reached, where something does, or that there is no balance."""
     try:
-        return gap(at)
-    except LetsGo as lost:
+        return float(gap(at))
+    except (LetsGo, Unbalanced) as lost:
         return lost
 
 
-def last_held(said: float, gap: Callable[[float], float], low: float | LetsGo, high: float | LetsGo) -> None:
-    """The answer is the last value before something lets go on the way: the line through the gap at two places on the side where nothing
+def last_held(
+    said: float, gap: Callable[[float], float], low: float | LetsGo | Unbalanced, high: float | LetsGo | Unbalanced
+) -> None:
+    """The answer is the last value before something lets go, or gives way: the line through the gap at two places on the side where nothing
     does, which is nearly straight there, vanishes at the answer."""
-    if isinstance(low, LetsGo):
-        if isinstance(high, LetsGo):
+    if not isinstance(low, float):
+        if not isinstance(high, float):
             raise low
         near, side = high, 1.0
     else:
