@@ -136,3 +136,28 @@ def test_whether_a_place_in_letters_is_beyond_the_highest_one_is_not_decided() -
     found = solve(text)
     said = " ".join(str(check) for check in found.derivation.checks if check.holds is None)
     assert "leaves the surface" in said
+
+
+TWO = """
+title: Down one track and on along another surface
+given: {{m: 1 kg, h: 1.4 m}}
+surfaces: {{slide: profile unknown, other: {other}}}
+bodies: {{ball: {{mass: m, moves: right}}}}
+connections: {{a: {{contact: [ball, slide], friction: none}}, b: {{contact: [ball, other], friction: {friction}}}}}
+{phases}
+states: {{start: {{ball.height: h, at rest: all}}, low: {{ball.height: 0}}, end: {{ball.{end}}}}}
+find: {{v: ball.velocity at low}}
+"""
+PHASES = "phases: {down: {from: start, to: low, without: b}, further: {from: low, to: end, without: a}}"
+
+
+@pytest.mark.parametrize(
+    ("other", "friction", "end"), [("profile unknown", "none", "height: 0.5 m"), ("level", "0.3", "velocity: 0")]
+)
+def test_what_is_on_two_tracks_at_once_is_refused(other: str, friction: str, end: str) -> None:
+    text = TWO.format(other=other, friction=friction, end=end, phases="")
+    with pytest.raises(Unsolvable, match="on `slide` and on `other` at once") as refused:
+        solve(text)
+    assert "without: b" in refused.value.fault.help
+    found = solve(TWO.format(other=other, friction=friction, end=end, phases=PHASES))
+    assert found.answers["v"].float == pytest.approx(math.sqrt(2 * G * 1.4))
