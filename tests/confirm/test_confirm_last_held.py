@@ -83,3 +83,30 @@ find: {q: q where top.normal_force at z = 0}
 """)
     assert found.answers["q"].float == pytest.approx(math.asin(2 / 3 * math.sin(math.radians(80))))
     assert all(item.holds for item in found.derivation.confirmed)
+
+
+STEP = """
+title: Wheel that is about to be pulled over a step
+given: {m: 10 kg, R: 30 cm, h: 10 cm, F: unknown}
+surfaces: {floor: level, kerb: {corner: h, side: right}}
+bodies: {w: {shape: cylinder, mass: m, radius: R, moves: right, turns: clockwise}}
+connections: {base: {rolls: [w, floor]}, edge: {rolls: [w, kerb]}}
+actions: {pull: PULL}
+states: {rest: {base: leaves, balance: true}}
+find: {F: F}
+"""
+
+
+@pytest.mark.parametrize(
+    ("pull", "arm"),
+    [
+        ("{force: F, on: w.top, direction: right}", 0.5),
+        ("{force: F, on: w.center, direction: right}", 0.2),
+        ("{couple: F, on: w}", 1.0),
+    ],
+)
+def test_what_leaves_in_balance_bears_nothing(pull: str, arm: float) -> None:
+    """F a = m g √(h (2 R − h)) about the edge; two rough contacts alone would leave open what the floor bears."""
+    found = solve(STEP.replace("PULL", pull))
+    assert found.answers["F"].float * arm == pytest.approx(10 * G * math.sqrt(0.05))
+    assert all(item.holds for item in found.derivation.confirmed)
