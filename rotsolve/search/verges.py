@@ -91,7 +91,7 @@ def verge_meant(find: Find, search: Search) -> Verge:
     if not verges:
         alone = not configuration.timeline.state(state).balance and len(rubs(configuration)) > 1
         raise NotYet(
-            f"no value is found at which `{spoken(contact)}` is on the point of slipping"
+            f"no value in closed form is found at which `{spoken(contact)}` is on the point of slipping"
             + (" by itself" if alone else ""),
             help=f"with `balance: true` at `{state}` all that can give way is at it together"
             if alone and state

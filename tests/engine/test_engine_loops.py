@@ -161,3 +161,19 @@ def test_what_is_on_two_tracks_at_once_is_refused(other: str, friction: str, end
     assert "without: b" in refused.value.fault.help
     found = solve(TWO.format(other=other, friction=friction, end=end, phases=PHASES))
     assert found.answers["v"].float == pytest.approx(math.sqrt(2 * G * 1.4))
+
+
+def test_how_high_something_is_on_a_track_stays_through_an_event() -> None:
+    """A string is cut while the ball is 30 cm high; it goes on up to where it was let go."""
+    found = solve("""
+title: Down a track, while something else is cut loose
+given: {m: 1 kg, h: 1.4 m}
+surfaces: {slide: profile unknown}
+bodies: {ball: {mass: m, moves: right}, lamp: {mass: 2 kg, moves: down}}
+connections: {a: {contact: [ball, slide], friction: none}, cord: {string: [ceiling, lamp]}}
+states: {start: {ball.height: h, at rest: all}, mid: {ball.height: 0.3 m}, then: {}, high: {ball.velocity: 0}}
+events: {snap: {cuts: cord, from: mid, to: then}}
+find: {y: ball.height at high, z: ball.height at then}
+""")
+    assert found.answers["y"].float == pytest.approx(1.4)
+    assert found.answers["z"].float == pytest.approx(0.3)
