@@ -125,6 +125,13 @@ def negative_size(search: Search, numbers: KnownBalls) -> bool:
     return any(size is not None and size < 0 for size in (numbers.size(limit.gap) for limit in limits))
 
 
+def roots_with_values(name: str, roots: Sequence[Formula], search: Search, *, plain: bool) -> list[int]:
+    """The roots with which no size is negative, or where it is looked at with care those that all laws allow; of what a condition sets to
+    a value those at which that has one."""
+    fitting = (with_sizes if plain else agreeing)(name, roots, search)
+    return fitting if search.seeking is None else without_void(name, roots, fitting, search)
+
+
 def with_sizes(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
     """The roots for an angle that is sought with which no size sought beside it, as that of a force, is negative; all where none is."""
     asked = {given.name: given.dimension for given in search.givens.values() if given.asked}

@@ -216,20 +216,14 @@ class Search(Struct, dict=True):
         if self.ground is not None:
             self.ground.chose = True
         choice = RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula)
-        from rotsolve.search.consistency import agreeing, with_sizes
+        from rotsolve.search.consistency import roots_with_values
 
         plain = not self.careful or period is not None
-        fitting = (with_sizes if plain else agreeing)(name, roots, self)
+        fitting = roots_with_values(name, roots, self, plain=plain)
         if not plain and len(fitting) == 1 < len(roots):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
         passed = () if self.ground is None else self.ground.passed_over.get(name, ())
         fitting = [number for number in fitting if roots[number] not in passed]
-        if self.seeking is not None:
-            from rotsolve.search.consistency import without_void
-
-            fitting = without_void(name, roots, fitting, self)
-            if not fitting:
-                return None
         if passed and len(fitting) == 1:
             return PickedRoot(fitting[0], ("with the others it does not come about",), guessed=True)
         left = [roots[number] for number in fitting]

@@ -23,7 +23,7 @@ TURN = 2 * PI
 def top_passed(interval: Interval, search: Search, settled: Settling, numbers: Numbers) -> tuple[str, Condition] | None:
     """What passes a highest place within a phase, and the line that tells that place; None where nothing does, or no laws tell it."""
     start, end = (search.scene.instant(state) for state in (interval.start, interval.end))
-    for travel, circle in loops(interval, search):
+    for travel, circle in inside_loops(interval, search):
         last, before = settled(end.place_on(circle)), start.orbit(travel.body)
         if before is None or last is None or has_quantities(last):
             continue
@@ -40,7 +40,7 @@ def top_passed(interval: Interval, search: Search, settled: Settling, numbers: N
     return None
 
 
-def loops(interval: Interval, search: Search) -> Iterator[tuple[Travel, Orbit]]:
+def inside_loops(interval: Interval, search: Search) -> Iterator[tuple[Travel, Orbit]]:
     """The bodies that are inside a loop at the end of a phase, each with the circle of its centre."""
     end = search.scene.instant(interval.end)
     for travel in search.scene.passages[interval.name].travels:
@@ -72,7 +72,7 @@ def top_led_over(last: Formula, sense: int, numbers: Numbers) -> Formula | None:
 def untold_tops(search: Search) -> Iterator[tuple[str, Words]]:
     """Whether what comes to an angle in letters inside a loop leaves it before: nothing tells whether it passes the highest place."""
     for interval in search.scene.configuration.timeline.intervals:
-        for travel, circle in loops(interval, search) if interval.event is None and interval.end != OPEN else ():
+        for travel, circle in inside_loops(interval, search) if interval.event is None and interval.end != OPEN else ():
             place = search.solver.with_found(search.scene.instant(interval.end).place_on(circle))
             if search.signs.lacking(place):
                 way = f"on the way from {spoken(interval.start)} to {spoken(interval.end)}"
