@@ -212,13 +212,13 @@ def solved_in_parts(problem: Problem, law: str | None, digits: int, at: str | No
         return solved_as_far(own, law, digits, at)
 
     if len(problem.finds) > 1 and any(find.where is not None or find.extreme for find in problem.finds):
-        from rotsolve.seeking import held_alone, left_without_seeking, where_none_seeks
+        from rotsolve.seeking import held_alone, left_without_seeking, where_none_seeks, with_all_verges
 
         def some(finds: tuple[Find, ...]) -> Solution:
             return each_where_answered(replace(problem, finds=finds), solve)
 
         found = left_without_seeking(problem, some) or each_where_answered(problem, solve)
-        return held_alone(problem, where_none_seeks(problem, found, some), solve)
+        return with_all_verges(problem, held_alone(problem, where_none_seeks(problem, found, some), solve), solve)
     return each_where_answered(problem, solve)
 
 

@@ -20,7 +20,7 @@ from rotsolve.search.answers import unsolvable
 from rotsolve.search.letterspace import ranged_over
 
 if TYPE_CHECKING:
-    from rotsolve.core.derivation import Answer
+    from rotsolve.core.derivation import Answer, Check
     from rotsolve.language.problem import Find, Problem
     from rotsolve.solution import Solution
 
@@ -67,14 +67,53 @@ def held_alone(problem: Problem, solution: Solution, solve: SolveFor) -> Solutio
             refused.append(
                 Refusal(find.group, Fault(words, find.span, "ask for it in a scene of its own", "unsolvable"))
             )
-    if not refused:
-        return solution
+    return without_refused(refused, problem, solution)
+
+
+def with_all_verges(problem: Problem, solution: Solution, solve: SolveFor) -> Solution:
+    """The solution with what does not hold at each of several verges, `smallest mu where A sticks`, and without those that alone hold in
+    other cases: together they are held against the value of one."""
+    verges = [find for find in problem.finds if find.verge]
+    beside = {answer.name: answer for answer in solution.derivation.answers}
+    objections: list[Check] = []
+    refused: list[Refusal] = []
+    for find in verges if len(verges) > 1 else ():
+        try:
+            alone = solve((find,))
+        except (Unsolvable, SceneError):
+            continue
+        objections += [check for check in alone.checks if check.holds is False and check not in solution.checks]
+        own = next((answer for answer in alone.derivation.answers if answer.name == find.group), None)
+        if own is not None and find.group in beside and not within_cases(beside[find.group], own):
+            words = (
+                f"in what cases this holds hangs on the `{find.seeks}` that it seeks, and another is sought beside it"
+            )
+            refused.append(
+                Refusal(find.group, Fault(words, find.span, "ask for it in a scene of its own", "unsolvable"))
+            )
+    told = replace(solution.derivation, checks=(*solution.derivation.checks, *dict.fromkeys(objections)))
+    return without_refused(refused, problem, replace(solution, derivation=told))
+
+
+def without_refused(refused: list[Refusal], problem: Problem, solution: Solution) -> Solution:
+    """The solution without answers that it should not give, and why; the first of these alone where no other is left."""
     names = {item.name for item in refused}
-    if all(answer.name in names for answer in solution.derivation.answers):
-        raise unsolvable(problem, refused[0].fault.message, refused[0].fault.span, refused[0].fault.help)
     kept = tuple(answer for answer in solution.derivation.answers if answer.name not in names)
+    if refused and not kept:
+        raise unsolvable(problem, refused[0].fault.message, refused[0].fault.span, refused[0].fault.help)
     told = (*solution.derivation.refused, *refused)
     return replace(solution, derivation=replace(solution.derivation, answers=kept, refused=told))
+
+
+def within_cases(one: Answer, other: Answer) -> bool:
+    """Whether an answer says nothing but what another says, in the same cases or within them."""
+    from rotsolve.derivation.cases import same_form
+
+    cases = (other, *other.otherwise)
+    return all(
+        any(same_form(case, wide) and set(wide.conditions) <= set(case.conditions) for wide in cases)
+        for case in (one, *one.otherwise)
+    )
 
 
 def same_cases(one: Answer, other: Answer) -> bool:

@@ -138,7 +138,8 @@ class Dynamics(Struct, frozen=True, dict=True):
     @property
     def lifted(self) -> list[tuple[str, str]]:
         """What pushes or pulls only, and would have to do the opposite."""
-        size = max([abs(value) for value in self.reactions.values()], default=0.0)
+        loads = (value for load in self.loads.values() for value in load.values())
+        size = max(map(abs, (*self.reactions.values(), *loads)), default=0.0)  # a push just ends where it alone holds
         pushes = {key: value for key, value in self.reactions.items() if self.rows[key].push} | self.pressing
         return [key for key, value in pushes.items() if value < -1e-9 * size]
 

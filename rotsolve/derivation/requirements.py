@@ -62,7 +62,7 @@ def requirements(search: Search, letters: Letters, moment: TimeValue | None = No
                         continue
                     spoken_of += words[-1:] if holds else ()
                     yield from [Check(words, holds)] if words else []
-        yield from shares_told(place, needs, search)
+        yield from shares_told(place, needs, search, letters)
     yield from (Check(words, None) for owner, words in left_open(search, letters, moment) if concerns(owner, search))
     if search.scene.encounters:
         from rotsolve.derivation.parted import untold_barriers, untold_meetings
@@ -76,6 +76,10 @@ def left_open(search: Search, letters: Letters, moment: TimeValue | None) -> Ite
         from rotsolve.derivation.on_the_way import untold_pushes
 
         yield from untold_pushes(search)
+    if search.signs.trials and any(surface.curved for surface in search.scene.configuration.surfaces.values()):
+        from rotsolve.search.tops import untold_tops
+
+        yield from untold_tops(search)
     if moment is None and search.scene.configuration.mentions.functions:
         from rotsolve.derivation.lasting import endings_told
 

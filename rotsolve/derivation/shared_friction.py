@@ -5,37 +5,45 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate, total
 from rotsolve.core.derivation import Check
-from rotsolve.core.equation import NEWTON
-from rotsolve.core.facts import STANDS, TAUT, TOUCHES
+from rotsolve.core.equation import NEWTON, STATED
+from rotsolve.core.facts import STANDS, TAUT, TOUCHES, Requirement
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.requirements import bodies_used, margin_of
+from rotsolve.derivation.requirements import bodies_used, margin_of, sign_of, values_sought
 from rotsolve.motion.rubs import STICKS, Rub, rubs_at
+from rotsolve.search.gripping import contact_forces
 from rotsolve.search.planning import families_for
 
 if TYPE_CHECKING:
-    from rotsolve.core.facts import Requirement
+    from rotsolve.derivation.letters import Letters
     from rotsolve.search.search import Search
 
 
-def shares_told(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
+def shares_told(place: str, needs: Sequence[Requirement], search: Search, letters: Letters) -> Iterator[Check]:
     """Whether frictions suffice together, in balance; and what else hangs on how large each of them is, at any state at rest."""
     if place in search.scene.encounters:
         return
     if search.scene.instant(place).in_balance:
-        yield from sufficing(place, needs, search)
+        yield from sufficing(place, needs, search, letters)
     for words in dict.fromkeys(hanging_on_shares(place, needs, search)):
         yield Check((f"whether {words}: nothing tells how the frictions share what they hold",), None)
 
 
-def sufficing(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[Check]:
+def sufficing(place: str, needs: Sequence[Requirement], search: Search, letters: Letters) -> Iterator[Check]:
     """Whether frictions hold a state in balance together, of which the laws do not tell how large each is."""
-    untold = [need.owner for need in needs if need.kind.grips and search.apart().settled(need.right) is None]
+    grips = [need for need in needs if need.kind.grips and search.apart().settled(need.right) is None]
+    untold = [need.owner for need in grips]
     if not untold or not verges_sought(search).isdisjoint(untold):  # there friction has its limit
         return
     from rotsolve.search.shared_friction import suffices_together
 
     holds = suffices_together(search.scene.configuration, place)
+    together = shared_bound(place, grips, search) if holds is None else None
+    if together is not None:
+        sign = sign_of(together.left - together.right, together, place, search, letters)
+        holds = None if sign is None else sign >= 0
     names = " and ".join(map(spoken, dict.fromkeys(untold)))
     words = {
         True: f"friction suffices: {names} hold together",
@@ -43,6 +51,35 @@ def sufficing(place: str, needs: Sequence[Requirement], search: Search) -> Itera
         None: f"whether the frictions of {names} suffice together: nothing tells their shares",
     }
     yield Check((words[holds],), holds)
+
+
+def shared_bound(place: str, grips: Sequence[Requirement], search: Search) -> Requirement | None:
+    """|Σ f| ≤ Σ μ N of contacts along one line, whatever their shares: told where it comes to the same with all of it in each of them.
+
+    None where it does not, as of a ladder on a wall, where how hard each is pressed goes by the shares.
+    """
+    forces = [force for body in search.scene.facts(place).bodies for force in body.forces]
+    rubbing = [contact_forces(need.owner, forces)[0] for need in grips]
+    first = rubbing[0]
+    found: list[tuple[Formula, Formula]] = []
+    for one in rubbing:
+        if one is None or first is None or one.body != first.body:
+            return None
+        along = simplify(one.direction.dot(first.direction))
+        alone, others = search.apart(), [force for force in rubbing if force is not None and force is not one]
+        section = search.scene.section(place)
+        for other in others:
+            alone.planner.extend(STATED.equation(other.size, ZERO, section, words=""))
+        needed, most = alone.settled(one.size), alone.settled(total([need.left for need in grips]))
+        if needed is None or most is None or along not in (ONE, negate(ONE)):
+            return None
+        sought = next(values_sought(search), {})
+        found.append((simplify((along * needed).substitute(sought)), simplify(most.substitute(sought))))
+    (needed, most), *rest = found
+    if any(simplify(other - mine) != ZERO for pair in rest for other, mine in zip(pair, found[0], strict=True)):
+        return None
+    names = " and ".join(dict.fromkeys(need.owner for need in grips))
+    return Requirement(names, grips[0].kind, most, call("abs", needed), "hold together", "together they slip")
 
 
 def hanging_on_shares(place: str, needs: Sequence[Requirement], search: Search) -> Iterator[str]:

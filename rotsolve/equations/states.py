@@ -148,7 +148,11 @@ def keep_angle(body: str, last: Instant, fresh: Instant, fixed: Fixed) -> None:
 
 
 def keep_places(event: Interval, last: Instant, fresh: Instant, fixed: Fixed) -> None:
-    """A body stays where it touches a curved surface, also one that it only meets in the event."""
+    """A body stays where it touches a curved surface, also one that it only meets in the event, and as high as it is on a track."""
+    for body in fixed.configuration.present(event.end):
+        tracks = [fixed.configuration.orbit(body.name, state) for state in (event.start, event.end)]
+        if all(track is not None and track.radius is None for track in tracks):
+            fixed.fix(fresh.ask("height", body.name), last.ask("height", body.name))
     met = event.event.begins() if event.event is not None else ()
     acting = {item.name for item in fixed.configuration.connections(event.start)}.union(met)
     for item in fixed.configuration.connections(event.end):

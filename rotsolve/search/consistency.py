@@ -5,7 +5,7 @@ A scene that says too much (a state that is never reached, a block that sticks y
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -15,9 +15,9 @@ from rotsolve.algebra.certified.ball import Precision, decided_by_size, evaluate
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Sum, Symbol, call
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Quotient, Sum, Symbol, call
 from rotsolve.algebra.units.dimension import ANGLE
-from rotsolve.core.equation import FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
+from rotsolve.core.equation import CONDITION, FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
@@ -28,6 +28,7 @@ TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 DIGITS = 60  # of what has no closed form
 BITS = 256  # working precision: what is lost where large numbers nearly cancel leaves enough of it
 NOTHING = 2.0 ** (-BITS // 2)  # share of its terms below which a sum counts as 0
+ABOUT = 1e-12  # share within which a root is known that has no closed form
 LEFT_OVER = 1e-30  # below which a number is nothing
 ROUNDS = 8
 FORWARDS = Law("time runs forwards", "time runs forwards")
@@ -124,6 +125,13 @@ def negative_size(search: Search, numbers: KnownBalls) -> bool:
     return any(size is not None and size < 0 for size in (numbers.size(limit.gap) for limit in limits))
 
 
+def roots_with_values(name: str, roots: Sequence[Formula], search: Search, *, plain: bool) -> list[int]:
+    """The roots with which no size is negative, or where it is looked at with care those that all laws allow; of what a condition sets to
+    a value those at which that has one."""
+    fitting = (with_sizes if plain else agreeing)(name, roots, search)
+    return fitting if search.seeking is None else without_void(name, roots, fitting, search)
+
+
 def with_sizes(name: str, roots: Sequence[Formula], search: Search) -> list[int]:
     """The roots for an angle that is sought with which no size sought beside it, as that of a force, is negative; all where none is."""
     asked = {given.name: given.dimension for given in search.givens.values() if given.asked}
@@ -140,6 +148,32 @@ def with_sizes(name: str, roots: Sequence[Formula], search: Search) -> list[int]
             first_broken(search, trial)  # what the equations then tell of the sizes
             left += [] if any(one in trial.found and trial.found[one] < 0 for one in sizes) else [number]
     return left or list(range(len(roots)))
+
+
+def without_void(name: str, roots: Sequence[Formula], fitting: Sequence[int], search: Search) -> list[int]:
+    """The roots of those that fit at which what a question sets to a value, `x where f/N = c`, has one: with f = c N nothing over nothing
+    would be it too."""
+    numbers = KnownBalls.known(search)
+    limits = [item for item in search.planner.pool if item.law == CONDITION]
+    below = [search.solver.with_found(part) for limit in limits for part in divisors(limit.left)]
+    below = [part for part in below if name in part.symbols() and not has_quantities(part)]
+    if not below:
+        return list(fitting)
+    left = []
+    for number in fitting:
+        size = numbers.size(search.solver.with_found(roots[number]))
+        near = None if size is None else size + arb(0, ABOUT * (1 + abs(size)))
+        sizes = [None if near is None else numbers.size(part, **{name: near}) for part in below]
+        left += [] if any(one is not None and one.contains(0) for one in sizes) else [number]
+    return left
+
+
+def divisors(value: Formula) -> Iterator[Formula]:
+    """What a formula divides by."""
+    if isinstance(value, Quotient):
+        yield value.denominator
+    for child in value.children():
+        yield from divisors(child)
 
 
 def on_the_way(name: str, search: Search, numbers: KnownBalls) -> dict[str, Ball]:

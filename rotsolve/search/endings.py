@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import HALF, PI, ZERO, Formula, negate
+from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import UNSOLVED, NeverReached, Unsolvable
 from rotsolve.core.passage import Travel
@@ -136,25 +136,15 @@ class Endings(Struct, dict=True):
 
     def over_the_top(self, interval: Interval) -> Ending | None:
         """The highest place of a hollow surface between both ends of a phase: there it presses least, and has to press still."""
-        start, end = (self.scene.instant(state) for state in (interval.start, interval.end))
-        for travel in self.scene.passages[interval.name].travels if not self.stuck else ():
-            circle = end.orbit(travel.body) if travel.kind == "line" else None
-            if circle is None or not circle.hollow or circle.radius is None or start.orbit(travel.body) != circle:
-                continue
-            places = [self.settled(at.place_on(circle)) for at in (start, end)]
-            if any(place is None or has_quantities(place) for place in places):
-                continue
-            first, last = (place for place in places if place is not None)
-            ahead = self.side(last - first)
-            if ahead != circle.way * self.numbers.sign((self.settled(travel.before), self.settled(travel.initial))):
-                continue  # it comes there the other way round: places are told up to whole turns
-            tops = [HALF * PI * (1 + 4 * turns) for turns in (range(-2, 3) if ahead != -1 else range(2, -3, -1))]
-            top = next((top for top in tops if self.side(top - first) == ahead == self.side(last - top)), None)
-            if ahead and top is not None:
-                senses = tuple((rub.name, self.sense(rub)) for rub in rubs_at(self.configuration, interval.start))
-                line = Condition(Path(circle.owner, "angle"), simplify(top))
-                return Ending(interval, (line,), senses, "top", f"{spoken(travel.body)} passes the highest place")
-        return None
+        if self.stuck or not any(surface.curved for surface in self.configuration.surfaces.values()):
+            return None
+        from rotsolve.search.tops import top_passed
+
+        found = top_passed(interval, self.search, self.settled, self.numbers)
+        if found is None:
+            return None
+        senses = tuple((rub.name, self.sense(rub)) for rub in rubs_at(self.configuration, interval.start))
+        return Ending(interval, (found[1],), senses, "top", f"{spoken(found[0])} passes the highest place")
 
     def nowhere(self, travel: Travel) -> bool:
         """Whether a motion that sets out would have to turn back at once, since what is said of later states holds it at its start."""

@@ -216,10 +216,10 @@ class Search(Struct, dict=True):
         if self.ground is not None:
             self.ground.chose = True
         choice = RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula)
-        from rotsolve.search.consistency import agreeing, with_sizes
+        from rotsolve.search.consistency import roots_with_values
 
         plain = not self.careful or period is not None
-        fitting = (with_sizes if plain else agreeing)(name, roots, self)
+        fitting = roots_with_values(name, roots, self, plain=plain)
         if not plain and len(fitting) == 1 < len(roots):
             return PickedRoot(fitting[0], ("the only root that all laws allow",))
         passed = () if self.ground is None else self.ground.passed_over.get(name, ())

@@ -44,15 +44,15 @@ class Verge(Struct, frozen=True):
     side: int
     turned: Mapping[Rub, int] = {}
     meant: bool = True
+    modes: Mapping[str, str] = {}  # of others that slip there
 
 
 def on_the_point_of_slipping(search: Search, find: Find) -> None:
     """`largest F where touch sticks`: the value at which the contact is on the point of slipping, beyond which it slips."""
     question, contact, state = verge_asked(find, search)
     verge = verge_meant(find, search)
-    own_scene = open_at(contact, state, search.scene) is search.scene and all(
-        search.scene.modes.get(rub.key, "") == rub.mode(sense) for rub, sense in verge.turned.items()
-    )
+    modes = {**{rub.key: rub.mode(sense) for rub, sense in verge.turned.items()}, **verge.modes}
+    own_scene = open_at(contact, state, search.scene) is search.scene and modes.items() <= search.scene.modes.items()
     if question.letter not in search.solver.solved and own_scene and verge.meant:
         search.answer(question, *verge.limits)
         return
@@ -91,7 +91,7 @@ def verge_meant(find: Find, search: Search) -> Verge:
     if not verges:
         alone = not configuration.timeline.state(state).balance and len(rubs(configuration)) > 1
         raise NotYet(
-            f"no value is found at which `{spoken(contact)}` is on the point of slipping"
+            f"no value in closed form is found at which `{spoken(contact)}` is on the point of slipping"
             + (" by itself" if alone else ""),
             help=f"with `balance: true` at `{state}` all that can give way is at it together"
             if alone and state
@@ -137,7 +137,11 @@ def verges_of(contact: str, state: str, question: Asked, search: Search) -> list
     scene = open_at(contact, state, search.scene)
     ground = search if scene is search.scene else Search(scene, search.families, search.spare)
     verges = [verge for way in (1, -1) for verge in verges_slipping(way, contact, state, question, ground)]
-    if verges or not ground.scene.configuration.timeline.state(state).balance:
+    if not ground.scene.configuration.timeline.state(state).balance:
+        from rotsolve.search.slipping_beside import where_others_hold
+
+        return where_others_hold(verges, contact, state, question, ground)
+    if verges:
         return verges
     own = limiting(ground.scene, contact, state)
     others = [limiting(ground.scene, rub.owner, state) for rub in rubs(ground.scene.configuration) if rub.contact]

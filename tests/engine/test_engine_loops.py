@@ -94,3 +94,86 @@ find: {v: bead.velocity at again}
         cases = [found.derivation.answers[0], *found.derivation.answers[0].otherwise]
         numbers = {"R": 1.0, "h": height, "g": G}
         assert any(all(holds(line, numbers) for line in case.conditions) for case in cases) == passes, height
+
+
+SLIDE = """
+title: Down a slide, and to a place in a loop
+given: {{R: 40 cm, h: {height} m}}
+surfaces: {{slide: profile unknown, loop: {{hollow: R}}}}
+bodies: {{block: {{mass: 50 g, moves: {way}}}}}
+connections: {{touch: {{contact: [block, slide, loop], friction: none}}}}
+states: {{start: {{block.height: h, at rest: all}}, far: {{touch.angle: {far}}}}}
+find: {{v: block.velocity at far}}
+"""
+FAR = [  # the place, how it moves, whether it has passed the highest place
+    ("180 deg", "right", True),
+    ("100 deg", "right", True),
+    ("270 deg", "right", True),
+    ("-180 deg", "right", True),
+    ("630 deg", "right", True),
+    ("0 deg", "left", True),
+    ("-360 deg", "left", True),
+    ("-90 deg", "right", False),
+    ("270 deg", "left", False),
+    ("-90 deg", "left", False),
+    ("180 deg", "left", False),
+    ("-180 deg", "left", False),
+    ("0 deg", "right", False),
+]
+
+
+@pytest.mark.parametrize(("far", "way", "passes"), FAR)
+def test_from_a_slide_the_highest_place_is_passed_where_no_state_is_there(far: str, way: str, passes: bool) -> None:
+    """With h = 2.2 R it falls off at sin φ = 4/5, 53° above the middle; with 2.6 R it does not."""
+    for height, holds in ((0.88, not passes), (1.04, True)):
+        found = solve(SLIDE.format(height=height, far=far, way=way))
+        failed = [check for check in found.derivation.checks if check.holds is False]
+        assert (not failed) == holds, (height, failed)
+
+
+def test_whether_a_place_in_letters_is_beyond_the_highest_one_is_not_decided() -> None:
+    text = SLIDE.format(height=0.88, far="a", way="right").replace("h: 0.88 m", "h: 0.88 m, a: deg")
+    found = solve(text)
+    said = " ".join(str(check) for check in found.derivation.checks if check.holds is None)
+    assert "leaves the surface" in said
+
+
+TWO = """
+title: Down one track and on along another surface
+given: {{m: 1 kg, h: 1.4 m}}
+surfaces: {{slide: profile unknown, other: {other}}}
+bodies: {{ball: {{mass: m, moves: right}}}}
+connections: {{a: {{contact: [ball, slide], friction: none}}, b: {{contact: [ball, other], friction: {friction}}}}}
+{phases}
+states: {{start: {{ball.height: h, at rest: all}}, low: {{ball.height: 0}}, end: {{ball.{end}}}}}
+find: {{v: ball.velocity at low}}
+"""
+PHASES = "phases: {down: {from: start, to: low, without: b}, further: {from: low, to: end, without: a}}"
+
+
+@pytest.mark.parametrize(
+    ("other", "friction", "end"), [("profile unknown", "none", "height: 0.5 m"), ("level", "0.3", "velocity: 0")]
+)
+def test_what_is_on_two_tracks_at_once_is_refused(other: str, friction: str, end: str) -> None:
+    text = TWO.format(other=other, friction=friction, end=end, phases="")
+    with pytest.raises(Unsolvable, match="on `slide` and on `other` at once") as refused:
+        solve(text)
+    assert "without: b" in refused.value.fault.help
+    found = solve(TWO.format(other=other, friction=friction, end=end, phases=PHASES))
+    assert found.answers["v"].float == pytest.approx(math.sqrt(2 * G * 1.4))
+
+
+def test_how_high_something_is_on_a_track_stays_through_an_event() -> None:
+    """A string is cut while the ball is 30 cm high; it goes on up to where it was let go."""
+    found = solve("""
+title: Down a track, while something else is cut loose
+given: {m: 1 kg, h: 1.4 m}
+surfaces: {slide: profile unknown}
+bodies: {ball: {mass: m, moves: right}, lamp: {mass: 2 kg, moves: down}}
+connections: {a: {contact: [ball, slide], friction: none}, cord: {string: [ceiling, lamp]}}
+states: {start: {ball.height: h, at rest: all}, mid: {ball.height: 0.3 m}, then: {}, high: {ball.velocity: 0}}
+events: {snap: {cuts: cord, from: mid, to: then}}
+find: {y: ball.height at high, z: ball.height at then}
+""")
+    assert found.answers["y"].float == pytest.approx(1.4)
+    assert found.answers["z"].float == pytest.approx(0.3)

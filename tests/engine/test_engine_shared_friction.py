@@ -231,3 +231,47 @@ def test_what_hangs_on_the_shares_is_said_not_to_be_told(text: str, words: str) 
     """A lower crate that holds itself lets the rope go slack; a tall one tips over by a pull that friction elsewhere may take."""
     checks = rotsolve.solve(text).derivation.checks
     assert [check.holds for check in checks if words in str(check.words)] == [None]
+
+
+CRATE = """
+title: Crate that a push is about to tip over
+given: {{{sizes}, c: 1 m, mu: {mu}, F: unknown}}
+surfaces: {{floor: level}}
+bodies: {{crate: {{shape: rectangle, mass: m, sides: [a, c], points: {{P: [-a/2, y - c/2]}}}}}}
+connections:
+  left: {{contact: [crate.corner1, floor], friction: {left}}}
+  right: {{contact: [crate.corner2, floor], friction: mu}}
+actions: {{push: {{force: F, on: crate.P, direction: right}}}}
+states: {{rest: {{balance: true}}}}
+find: {{F: F where left.normal_force = {least}}}
+"""
+SIZES = "m: 20 kg, a: 0.5 m, y: 0.8 m"
+
+
+@pytest.mark.parametrize(
+    ("mu", "left", "least", "holds"),
+    [
+        ("0.2", "mu", "0", False),
+        ("0.3", "mu", "0", False),
+        ("0.32", "mu", "0", True),
+        ("0.35", "0.1", "0", True),  # all of the weight is on the right
+        ("0.3", "0.9", "0", False),
+        ("0.3", "mu", "20 N", True),  # F = (m g/2 − N) a/y = 48.75 N, less than 58.8 N
+        ("0.2", "mu", "20 N", False),
+        ("0.2", "0.9", "60 N", True),  # 23.75 N of 0.9·60 N + 0.2·136 N
+    ],
+)
+def test_frictions_suffice_together_for_a_force_that_is_sought(mu: str, left: str, least: str, holds: bool) -> None:
+    """|F| ≤ μ₁ N₁ + μ₂ N₂, however they share it."""
+    found = rotsolve.solve(CRATE.format(sizes=SIZES, mu=mu, left=left, least=least))
+    told = [check for check in found.derivation.checks if "together" in str(check.words)]
+    assert [check.holds for check in told] == [holds]
+
+
+def test_in_letters_their_sum_is_a_condition() -> None:
+    found = rotsolve.solve(CRATE.format(sizes="m: kg, a: m, y: m", mu="1", left="mu", least="0"))
+    (answer,) = found.derivation.answers
+    from rotsolve.confirm.course.samples import holds
+
+    for a, fits in ((0.9, True), (1.7, True), (2.1, False)):  # a ≤ 2 μ y
+        assert all(holds(line, {"a": a, "y": 1.0, "m": 1.0, "mu": 1.0, "g": 9.8}) for line in answer.conditions) == fits

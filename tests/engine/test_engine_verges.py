@@ -290,3 +290,32 @@ def test_where_it_sticks_again_beyond_there_is_no_end() -> None:
     """33 N are less than μ M g = 34.3 N: it sticks at 0° too, and slips between 11° and 27° alone."""
     with pytest.raises(Unsolvable, match="sticks again where the quantity is smaller still"):
         solve(PULLED_AT.replace("40 N", "33 N"))
+
+
+TWO_BLOCKS = """
+title: The upper one of two blocks is pulled
+given: {m: 2 kg, M: 5 kg, mu: MU, nu: 0.2, F: unknown}
+surfaces: {floor: level}
+bodies: {upper: {mass: m, moves: right}, lower: {mass: M, moves: right}}
+connections: {grip: {contact: [upper, lower], friction: mu}, base: {contact: [lower, floor], friction: nu}}
+actions: {pull: {force: F, on: upper, direction: WAY}}
+states: {start: at rest}
+find: {F: largest F where grip sticks}
+"""
+
+
+@pytest.mark.parametrize("way", ["right", "left"])
+@pytest.mark.parametrize("mu", [0.3, 0.65, 0.75, 0.9])
+def test_a_contact_may_slip_after_another_one_beside_it(mu: float, way: str) -> None:
+    """μ m g where the lower block stays, from μ m > ν (m + M) on μ m g + m (μ m − ν (m + M)) g/M."""
+    found = solve(TWO_BLOCKS.replace("MU", str(mu)).replace("WAY", way))
+    spare = mu * 2 - 0.2 * 7
+    assert found.answers["F"].float == pytest.approx(9.8 * (mu * 2 + max(0.0, 2 * spare / 5)))
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+def test_in_letters_which_slips_first_is_a_condition() -> None:
+    found = solve(TWO_BLOCKS.replace("MU", "0.9").replace("WAY", "right").replace("m: 2 kg, M: 5 kg", "m: kg, M: kg"))
+    (answer,) = found.derivation.answers
+    assert len((answer, *answer.otherwise)) == 2
+    assert all(item.holds for item in found.derivation.confirmed)

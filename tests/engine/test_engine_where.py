@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from rotsolve.algebra.exact.normal import equal
@@ -201,3 +203,28 @@ def test_what_vanishes_where_it_ceases_has_no_smallest_value(letters: dict[str, 
     """About its centre of mass the rod does not swing down at all."""
     with pytest.raises(Unsolvable, match="where it vanishes and ceases to be real"):
         solve(PIVOTED.format(x="m", **letters).replace("largest", "smallest"))
+
+
+NOTHING_OVER_NOTHING = """
+title: Two rods that lean on each other
+given: {m: 2 kg, M: 6 kg, L: 0.7 m, th: unknown, mu: 0.4}
+surfaces: {floor: level}
+bodies: {a: {shape: rod, mass: m, length: L}, b: {shape: rod, mass: M, length: L}}
+connections: {C: {hinge: [a.end, b.end]}, A: {contact: [a.start, floor], friction: mu}, B: {hinge: b.start}}
+states: {rest: {a.angle: th, b.angle: 180 deg - th, balance: true}}
+find: {th: th where ASKED}
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "tangent"),
+    [
+        ("A.friction_force/A.normal_force = -mu", 5 / 3),
+        ("A.friction_force/A.normal_force = mu", -5 / 3),  # the other way round: it leans to the left
+        ("size of A.friction_force/A.normal_force = mu", 5 / 3),
+    ],
+)
+def test_where_nothing_is_divided_by_nothing_no_ratio_is_a_value(asked: str, tangent: float) -> None:
+    """f/N = (m + M) cot θ/(3 m + M); upright f and N are both 0, and f = μ N holds there too."""
+    found = solve(NOTHING_OVER_NOTHING.replace("ASKED", asked), confirm=False).answers["th"].float
+    assert math.tan(found) == pytest.approx(tangent)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.course.astray import SlipsOn
+from rotsolve.confirm.course.astray import LetsGo, SlipsOn
 from rotsolve.confirm.course.following import Broken, Course, Unbalanced
 from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.instant import STICKS
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rotsolve.confirm.course.scans import Scans
 
 NEAR = 1e-5  # how far beside the answer a condition is tried
+STRAIGHT = 1e-2  # share of the gap of two places beside an answer by which the line through them may miss it
 NONE = 1e-9  # share of the gap on one side below which there is none on the other
 
 Value = Callable[[Find, Course], float]
@@ -41,6 +42,9 @@ def tried(find: Find, said: float, course: Course, value: Value, scans: Scans | 
         return number(place_of_largest(find, said, course, value, scans))
     elif phrase is not None and condition.value is not None:
         goal = course.value(condition.value)
+        if goal and sign_untold(phrase, at(said)):
+            zero(said, lambda found: value(phrase, at(found)) - abs(goal))
+            raise NotConfirmed("which way it points, by which its sign counts")
         zero(said, lambda found: value(phrase, at(found)) - goal)
     elif condition.word in ("sticks", "rolls"):
         verge(find, condition, said, at)
@@ -49,13 +53,51 @@ def tried(find: Find, said: float, course: Course, value: Value, scans: Scans | 
     return number(said)
 
 
+def sign_untold(phrase: Find, course: Course) -> bool:
+    """Whether a quantity is told by its size alone: friction that holds, which points as a question counts it."""
+    from rotsolve.confirm.course.asked import Asker
+
+    try:
+        return Asker(course.problem, course).valued(phrase).sized
+    except (LetsGo, Unbalanced):  # only just: rounding decides
+        return any(term.path.quantity == "friction_force" for term in phrase.terms)
+
+
 def zero(said: float, gap: Callable[[float], float]) -> None:
-    """The gap changes its sign at the answer."""
+    """The gap changes its sign at the answer; where on one side of it the motion has no such end, it vanishes there from the other."""
     step = NEAR * (abs(said) or 1.0)
-    low, high = gap(said - step), gap(said + step)
+    low, high = (gap_or_lost(gap, said + side) for side in (-step, step))
+    if not (isinstance(low, float) and isinstance(high, float)):
+        return last_held(said, gap, low, high)
     if min(abs(low), abs(high)) <= NONE * max(abs(low), abs(high)):
         raise NotConfirmed("its condition holds with other values too")
     if low * high > 0 and abs(gap(said)) > 1e-3 * min(abs(low), abs(high)):
+        raise Broken("its condition does not hold with it")
+
+
+def gap_or_lost(gap: Callable[[float], float], at: float) -> float | LetsGo | Unbalanced:
+    """The gap at a number; what lets go before the state is reached, where something does, or that there is no balance."""
+    try:
+        return float(gap(at))
+    except (LetsGo, Unbalanced) as lost:
+        return lost
+
+
+def last_held(
+    said: float, gap: Callable[[float], float], low: float | LetsGo | Unbalanced, high: float | LetsGo | Unbalanced
+) -> None:
+    """The answer is the last value before something lets go, or gives way: the line through the gap at two places on the side where nothing
+    does, which is nearly straight there, vanishes at the answer."""
+    if not isinstance(low, float):
+        if not isinstance(high, float):
+            raise low
+        near, side = high, 1.0
+    else:
+        near, side = low, -1.0
+    far = gap(said + 2.0 * side * NEAR * (abs(said) or 1.0))
+    if abs(far - near) <= NONE * abs(far):
+        raise NotConfirmed("its condition holds with other values too")
+    if abs(far - 2.0 * near) > STRAIGHT * abs(far - near):
         raise Broken("its condition does not hold with it")
 
 

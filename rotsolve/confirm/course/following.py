@@ -242,12 +242,29 @@ class Course:
             raise NotConfirmed("how bodies stand that are steady it does not find")
         if not model.acting.state.balance:
             return first
+        bare = self._without_leaving(first)
+        if bare is not None:
+            return bare
         from rotsolve.confirm.course.settling import settled
 
         rest = settled(first)
         if rest is None:
             raise Unbalanced(f"`{model.acting.state.name}` is not in balance")
         return rest
+
+    def _without_leaving(self, first: Node) -> Node | None:
+        """The instant without what the state says to push no more, where nothing tells how much it does: the rest alone balances then."""
+        from rotsolve.confirm.course.gauges import line_owner
+
+        state = first.model.acting.state
+        leaving = {line_owner(line) for line in state.conditions if line.word in ("leaves", "slack")}
+        if not leaving.intersection(owner for owner, _ in first.moment.open_reactions):
+            return None
+        left = tuple(item for item in self.problem.connections if item.name not in leaving)
+        bare = Node(Model(replace(self.problem, connections=left), self.numbers, state.name), first.placed, self.budget)
+        if any(abs(rate) > 1e-5 * max(bare.model.gravity, 1.0) for rate in bare.moment.rates):
+            raise Unbalanced(f"`{state.name}` is not in balance")
+        return bare
 
     def _struck(self, before: Node, event: Event, model: Model, state: State) -> Node:
         from rotsolve.confirm.course.blows import Blow

@@ -132,7 +132,7 @@ def share_of_way(ride: Ride, at: Node) -> float:
 
 def word_gauge(line: Condition, model: Model, first: Node) -> Gauge:
     """`rolls`, `sticks`: no slip; `leaves`, `slack`: nothing that pushes or pulls; `largest`: what does not change."""
-    owner = line.owner or (line.path.owner if line.path is not None else "")
+    owner = line_owner(line)
     if line.word in ("rolls", "sticks"):
         return Gauge(lambda at: slip_of(owner, at), 1.0, f"{owner}: {line.word}")
     if line.word in ("leaves", "slack"):
@@ -145,6 +145,11 @@ def word_gauge(line: Condition, model: Model, first: Node) -> Gauge:
         way = 1 if falls else -1
         return Gauge(lambda at: rate(path, at), 1.0, f"{path.owner}.{path.quantity}: {line.word}", way=way)
     raise NotConfirmed(f"a state that says `{owner}: {line.word}`")
+
+
+def line_owner(line: Condition) -> str:
+    """The element of which a line of a state says something."""
+    return line.owner or (line.path.owner if line.path is not None else "")
 
 
 def slip_of(owner: str, at: Node) -> float:
@@ -164,7 +169,9 @@ def clasp(owner: str, at: Node) -> float:
 
 
 def least(owner: str, at: Node) -> float:
-    """The smallest of the pushes or pulls of an element."""
+    """The smallest of the pushes or pulls of an element; none of what the assembly has left out since it pushes no more."""
+    if all(item.name != owner for item in at.model.acting.connections):
+        return 0.0
     found = [
         size for (name, kind), size in at.moment.reactions.items() if name == owner and at.moment.rows[name, kind].push
     ]

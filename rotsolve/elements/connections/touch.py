@@ -182,6 +182,24 @@ class Touch(Connection, frozen=True):
         for place in places:
             if isinstance(place, Curved):
                 self.check_curved(place, scene)
+        if any(unknown):
+            self.check_track_alone(scene)
+
+    def check_track_alone(self, scene: Surroundings) -> None:
+        """What is on a track of unknown profile lies on nothing else in the same phase: of two nothing tells which it is on."""
+        timeline = [state.name for state in scene.problem.states] or [""]
+        for state in timeline[:-1] or timeline:
+            here = scene.connections(state)
+            other = next((item for item in here if item is not self and item.lying() == self.lying()), None)
+            if other is None or not any(item.name == self.name for item in here):
+                continue
+            mine, its = (item.touches()[1] for item in (self, other))
+            at = f" from `{state}` on" if state else ""
+            message = (
+                f"`{self.lying()}` is on `{mine.owner}` and on `{its.owner}` at once{at}: nothing tells which it is on"
+            )
+            help = f"say it of each phase: `phases: {{down: {{from: …, to: …, without: {other.name}}}, …}}`"
+            raise Unsolvable(message, span=mine.span, help=help)
 
     def check_curved(self, surface: Curved, scene: Surroundings) -> None:
         """Round bodies and particles, rolling or without friction, that fit the surface and that nothing else holds."""
