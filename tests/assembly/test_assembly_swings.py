@@ -1,0 +1,98 @@
+"""Small swings of a body that is named: all that moves with it swings, bodies without a mass and those on the same spring too."""
+
+from __future__ import annotations
+
+from math import isclose, sqrt
+
+import pytest
+
+from rotsolve.pipeline import solve
+
+SPRING = """
+title: two bodies on one spring
+plane: horizontal
+given: {M: 5 kg, m: 2 kg, k: 100 N/m}
+bodies: {a: {mass: m, moves: right}, b: {mass: M, moves: left}}
+connections: {s: {spring: [a, b], stiffness: k}}
+find: {w: angular_frequency of small swings of WHICH}
+"""
+BOB = """
+title: a bob on a rod without a mass
+given: {m: 2 kg, l: 0.7 m}
+bodies: {string: {shape: rod, mass: 0, length: l}, bob: {mass: m}}
+connections: {pin: {hinge: string.start}, knot: {weld: [string.end, bob]}}
+find: {w: angular_frequency of small swings of WHICH}
+"""
+CART = """
+title: the same on a cart
+given: {M: 3 kg, m: 2 kg, l: 0.7 m}
+bodies: {cart: {mass: M, moves: right}, string: {shape: rod, mass: 0, length: l}, bob: {mass: m}}
+connections: {pin: {hinge: [cart, string.start]}, knot: {weld: [string.end, bob]}}
+find: {w: angular_frequency of small swings of WHICH}
+"""
+SWINGS = {
+    SPRING: (("a", "b"), sqrt(100 * 7 / 10)),
+    BOB: (("string", "bob"), sqrt(9.8 / 0.7)),
+    CART: (("string", "bob", "cart"), sqrt(9.8 / 0.7 * 5 / 3)),
+}
+
+
+@pytest.mark.parametrize(
+    ("scene", "which", "rate"), [(scene, which, rate) for scene, (names, rate) in SWINGS.items() for which in names]
+)
+def test_all_that_moves_with_the_named_body_swings(scene: str, which: str, rate: float) -> None:
+    found = solve(scene.replace("WHICH", which))
+    assert isclose(found.answers["w"].float, rate, rel_tol=1e-9)
+    assert [item.holds for item in found.derivation.confirmed] == [True]
+
+
+CORNER = """
+title: a cylinder in a corner under a couple
+given: {m: 2 kg, R: 10 cm, k: 0.3, tau: unknown}
+surfaces: {floor: level, side: {wall: left}}
+bodies: {cyl: {shape: cylinder, mass: m, radius: R, turns: counterclockwise}}
+connections: {base: {contact: [cyl, floor], friction: k}, flank: {contact: [cyl, side], friction: k}}
+actions: {hand: {couple: tau, on: cyl}}
+states: {rest: {balance: true}}
+find: {tau: largest tau where base sticks}
+"""
+FRAME = """
+title: two rods that lean on each other
+given: {m: 2 kg, M: 6 kg, L: 0.7 m, th: 60 deg, mu: GIVEN}
+surfaces: {floor: level}
+bodies: {a: {shape: rod, mass: m, length: L}, b: {shape: rod, mass: M, length: L}}
+connections:
+  C: {hinge: [a.end, b.end]}
+  A: {contact: [a.start, floor], friction: mu}
+  B: {contact: [b.start, floor], friction: mu}
+states: {rest: {a.angle: th, b.angle: 180 deg - th, balance: true}}
+find: {FIND}
+"""
+
+
+def test_the_largest_couple_that_friction_holds_is_confirmed() -> None:
+    found = solve(CORNER)
+    assert isclose(found.answers["tau"].float, 0.3 * 2 * 9.8 * 0.1 * 1.3 / 1.09, rel_tol=1e-9)
+    assert [item.holds for item in found.derivation.confirmed] == [True]
+
+
+def test_where_friction_does_not_suffice_the_reason_says_so() -> None:
+    found = solve(FRAME.replace("GIVEN", "0.3").replace("FIND", "N: A.normal_force at rest"))
+    assert [item.why for item in found.derivation.confirmed] == ["`rest` is not in balance as it stands"]
+
+
+HOOP = """
+title: a bead on a hoop that turns slowly
+given: {m: kg, R: 0.1 m, w: 3 rad/s, theta: unknown}
+bodies: {bead: {mass: m}, radius: {shape: rod, mass: 0, length: R}}
+connections: {knot: {weld: [radius.end, bead]}, hub: {shaft: radius.start, turning: w}}
+states: {round: {radius.angle: theta - 90 deg, steady: true}}
+find: {theta: theta}
+"""
+
+
+def test_a_letter_that_is_none_is_told_by_the_states_too() -> None:
+    """Beside θ = 0, not beside a thousandth of it, nothing is steady."""
+    found = solve(HOOP)
+    assert found.answers["theta"].float == 0.0
+    assert [item.holds for item in found.derivation.confirmed] == [True]
