@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from math import isclose, sqrt
+from math import isclose, pi, sqrt
 
 import pytest
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 
 SPRING = """
@@ -96,3 +97,40 @@ def test_a_letter_that_is_none_is_told_by_the_states_too() -> None:
     found = solve(HOOP)
     assert found.answers["theta"].float == 0.0
     assert [item.holds for item in found.derivation.confirmed] == [True]
+
+
+DRAG = """
+title: a bead on an upright wire against a drag along its way
+given: {m: 2 kg, R: 0.3 m, c: 3 N s/m}
+surfaces: {ring: {wire: R}}
+bodies: {bead: {mass: m, moves: right}}
+connections: {touch: {contact: [bead, ring]}}
+actions: {drag: {force: -c*bead.velocity, on: bead, direction: tangential}}
+find: {T: period of small swings, z: damping_ratio of small swings}
+"""
+PUSH = """
+title: a bead pushed round a quarter of a wire
+gravity: none
+given: {m: 2 kg, R: 0.3 m, F: 3 N}
+surfaces: {ring: {wire: R}}
+bodies: {bead: {mass: m, moves: right}}
+connections: {touch: {contact: [bead, ring]}}
+actions: {push: {force: F, on: bead, direction: tangential}}
+states: {s: {touch.angle: -90 deg, at rest: all}, e: {touch.angle: 0 deg}}
+find: {v: bead.velocity at e}
+"""
+
+
+def test_what_is_tangential_at_the_centre_goes_along_the_way() -> None:
+    """γ = c/(2 m) and ω₀² = g/R; over a quarter of the ring the push does the work F R π/2."""
+    found, free, damping = solve(DRAG), 9.8 / 0.3, 3 / 4
+    assert isclose(found.answers["T"].float, 2 * pi / sqrt(free - damping**2), rel_tol=1e-9)
+    assert isclose(found.answers["z"].float, damping / sqrt(free), rel_tol=1e-9)
+    pushed = solve(PUSH)
+    assert isclose(pushed.answers["v"].float, sqrt(pi * 3 * 0.3 / 2), rel_tol=1e-9)
+    assert [item.holds for one in (found, pushed) for item in one.derivation.confirmed] == [True] * 3
+
+
+def test_at_the_centre_nothing_is_clockwise() -> None:
+    with pytest.raises(Unsolvable, match="at the centre of `bead`, where no direction is clockwise"):
+        solve(DRAG.replace("tangential", "clockwise"))
