@@ -122,7 +122,7 @@ class OfPoints(AtInstant, frozen=True):
         return Meaning(vector_size(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
 
     def _bent_by_slide(self, path: Path) -> Meaning:
-        """Acceleration of what slides freely along another body: r α + 2 ω v across, and along it what the forces along it give its mass."""
+        """Acceleration of what slides freely along another body: r α + 2 ω v across, and along it by the forces along it alone."""
         name, dimension = path.owner, QUANTITIES["acceleration"].dimension
         if path.component in NATURAL:
             help = f"ask for `{name}.acceleration`, `.x` or `.y`"

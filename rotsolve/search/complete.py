@@ -18,6 +18,7 @@ from rotsolve.confirm.course.samples import sets_of_numbers, sets_wanted
 from rotsolve.confirm.verdicts import SAME
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import UNSOLVED, Fault, Unsolvable
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.complete import configured
@@ -184,7 +185,9 @@ def starts_alike(course: Course, other: Course) -> bool:
 
 
 def hurdle(course: Course, find: Find) -> str:
-    """What the laws have to get over on the way to what is asked: accelerations that vary, a blow, or just the motion."""
+    """What the laws have to get over on the way to what is asked: swings, accelerations that vary, a blow, or just the motion."""
+    if any(term.path.quantity in OSCILLATING for term in find.terms):
+        return "how it swings about its equilibrium"
     last = max((course.names.index(name) for name in asked_states(course, find)), default=0)
     ways = list(zip(course.names[:last], course.names[1 : last + 1], strict=True))
     for start, end in ways:
@@ -198,7 +201,11 @@ def hurdle(course: Course, find: Find) -> str:
     for start, end in reversed(ways):
         event = course.event(start, end)
         return f"what `{event.name}` does" if event is not None else f"the motion from {spoken(start)} to {spoken(end)}"
-    return f"the forces and accelerations at {spoken(course.names[0])}" if course.names[0] else "its equations"
+    return (
+        f"the forces and accelerations at {spoken(course.names[0])}"
+        if course.names[0]
+        else "the forces and accelerations"
+    )
 
 
 def asked_states(course: Course, find: Find) -> Iterator[str]:

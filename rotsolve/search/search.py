@@ -217,7 +217,9 @@ class Search(Struct, dict=True):
             self.ground.chose = True
         choice = RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula)
         from rotsolve.search.consistency import agreeing, with_sizes
+        from rotsolve.search.swings import check_alone
 
+        check_alone(name, [root for root in roots if self.numbers.of(root) is not None])
         plain = not self.careful or period is not None
         fitting = (with_sizes if plain else agreeing)(name, roots, self)
         if not plain and len(fitting) == 1 < len(roots):

@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import HARMONIC, NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts
-from rotsolve.core.symbols import RATES, of_kinds
+from rotsolve.core.symbols import RATES, REST, is_key, key_of, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.equations.swing import Swing
@@ -160,13 +160,22 @@ def acceleration_of(swing: Swing, search: Stepping) -> Formula:
     return search.displaced[swing.acceleration.name]
 
 
+def check_alone(name: str, roots: Sequence[Formula]) -> None:
+    """Where a body on a line is in equilibrium has to be told where that may be at several places, of which several may be stable."""
+    key = key_of(name) if is_key(name) else None
+    if key is not None and key.kind == "displacement" and key.when.startswith(REST) and len(roots) > 1:
+        body = spoken(key.owner)
+        raise NotYet(f"`{body}` may be in equilibrium at {len(roots)} places: about which it swings is not told")
+
+
 def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping) -> None:
     """Small swings need an equilibrium, and one to which the bodies are driven back."""
     name, state = spoken(swing.body), spoken(swing.rest.state) if not swing.found else "the equilibrium"
     at_rest = exact.substitute({swing.coordinate.name: ZERO})
     if search.signs.decide(at_rest) != 0 and not balanced_by_law(at_rest, swing, search):
         raise NotYet(f"`{name}` is not in equilibrium at {state}: it speeds up there")
-    known = set(search.givens) | set(search.values)
+    found = {place for place in swing.unsettled if place in search.solver.solved}  # by numbers alone, else it is put in
+    known = set(search.givens) | set(search.values) | found
     if slope.symbols() - known:
         raise NotYet(f"how `{name}` swings about {state} depends on how its springs are stretched there")
     way = sign_with_roots(slope, search)
@@ -178,12 +187,13 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping)
 
 def balanced_by_law(push: Formula, swing: Swing, search: Stepping) -> bool:
     """Whether a law at the state says that nothing speeds up there, by which a letter without a closed form is told."""
-    if not push.symbols() & search.scene.configuration.problem.sought:
+    letters = search.scene.configuration.problem.sought | set(swing.unsettled)
+    if not push.symbols() & letters:
         return False
-    laws = [law for law in search.planner.pool if law.family == NEWTON and law.section == swing.rest.state]
+    laws = [law for law in search.planner.pool if law.family == NEWTON and law.section == swing.balanced]
     gaps = (search.solver.with_answers(law.left - law.right) for law in laws)
     shares = (search.solver.simplify(push / gap) for gap in gaps if not is_zero(gap))
-    return any(not share.symbols() & push.symbols() & search.scene.configuration.problem.sought for share in shares)
+    return any(not share.symbols() & push.symbols() & letters for share in shares)
 
 
 def sign_with_roots(value: Formula, search: Stepping) -> int | None:

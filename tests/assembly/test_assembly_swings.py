@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isclose, pi, sqrt
+from math import hypot, isclose, pi, sqrt
 
 import pytest
 
@@ -134,3 +134,42 @@ def test_what_is_tangential_at_the_centre_goes_along_the_way() -> None:
 def test_at_the_centre_nothing_is_clockwise() -> None:
     with pytest.raises(Unsolvable, match="at the centre of `bead`, where no direction is clockwise"):
         solve(DRAG.replace("tangential", "clockwise"))
+
+
+COLLAR = """
+title: a collar on an upright guide, drawn by a spring from a place
+given: {m: 2 kg, d: 0.3 m, k: 300 N/m, l: 0.25 m}
+bodies: {collar: {mass: m, moves: down}}
+connections: {coil: {spring: [[-d, 0], collar], stiffness: k, rest_length: l}}
+find: {w: angular_frequency of small swings of collar}
+"""
+
+
+def test_a_spring_from_a_place_drives_a_collar_back() -> None:
+    """k y (1 − l/√(d² + y²)) = m g tells where it rests, and m w² is how fast that grows with y; without a rest length k itself."""
+    low, high = 0.0, 1.0
+    for _ in range(100):
+        middle = (low + high) / 2
+        pull = 300 * middle * (1 - 0.25 / hypot(0.3, middle))
+        low, high = (middle, high) if pull < 2 * 9.8 else (low, middle)
+    slope = 300 * (1 - 0.25 * 0.3**2 / hypot(0.3, low) ** 3)
+    found = solve(COLLAR)
+    assert isclose(found.answers["w"].float, sqrt(slope / 2), rel_tol=1e-6)
+    assert [item.holds for item in found.derivation.confirmed] == [True]
+    letters = COLLAR.replace("m: 2 kg, d: 0.3 m, k: 300 N/m, l: 0.25 m", "m: kg, d: m, k: N/m")
+    found = solve(letters.replace("rest_length: l", "rest_length: 0"))
+    assert found.answers["w"].exact == "√(k/m)"
+    assert [item.holds for item in found.derivation.confirmed] == [True]
+
+
+def test_a_collar_beside_a_spring_in_balance_swings_by_its_stretch_alone() -> None:
+    level = COLLAR.replace("moves: down", "moves: right").replace("[-d, 0]", "[0, d]")
+    found = solve(level.replace("find:", "states: {rest: {collar.displacement: 0, balance: true}}\nfind:"))
+    assert isclose(found.answers["w"].float, sqrt(300 * (1 - 0.25 / 0.3) / 2), rel_tol=1e-9)
+    assert [item.holds for item in found.derivation.confirmed] == [True]
+
+
+def test_of_several_equilibria_none_is_taken() -> None:
+    """A spring that is longer than its place is away may hold the collar on either side, with another frequency on each."""
+    with pytest.raises(Unsolvable, match="may be in equilibrium at 3 places"):
+        solve(COLLAR.replace("m: 2 kg, d: 0.3 m", "m: 0.2 kg, d: 0.2 m"))
