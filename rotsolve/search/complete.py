@@ -39,7 +39,25 @@ STIR = 0.1  # radians, or rates, of what nothing tells
 VARYING = "the accelerations vary"
 
 
-def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: bool) -> Fault | None:
+class Followed:
+    """The courses of a scene by its assembly, each followed once for all questions that are looked at."""
+
+    def __init__(self) -> None:
+        self.made: list[tuple[Course, Course]] = []
+        self.left: Iterator[tuple[Course, Course]] | None = None
+
+    def courses(self, problem: Problem) -> Iterator[tuple[Course, Course]]:
+        """With each set of numbers in turn."""
+        self.left = courses(problem) if self.left is None else self.left
+        yield from self.made
+        for pair in self.left:
+            self.made.append(pair)
+            yield pair
+
+
+def unsolved(
+    problem: Problem, names: Sequence[str], law: str | None, *, whole: bool, followed: Followed | None = None
+) -> Fault | None:
     """What is not solved, where the assembly answers one of some questions, or knows what happens before; None where it does not.
 
     `whole` asks that it follows all states, as it has to where they are said to contradict each other.
@@ -51,7 +69,7 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
     except (NotYet, Unsolvable):
         return None
     finds = [find for find in ready.finds if find.name in names]
-    for course, other in courses(ready):
+    for course, other in (followed or Followed()).courses(ready):
         for find in finds:
             if help := answers(course, other, find, whole=whole):
                 alone = "" if law is None else f" by {FAMILIES[law].words} alone"
