@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.core.derivation import AnswerConfirmation
     from rotsolve.core.limits import Limit
-    from rotsolve.search.complete import Followed
+    from rotsolve.search.complete import FollowedCourses
 
 DIGITS, MOST_DIGITS = 4, 1000
 FEW_LETTERS = 4  # that a message names
@@ -167,10 +167,10 @@ def fairly(problem: Problem, law: str | None) -> Callable[[Fault, Sequence[str]]
     """What is fair to say of refusals of some questions of a scene, which an assembly follows once for all of them."""
 
     @cache
-    def followed() -> Followed:
-        from rotsolve.search.complete import Followed
+    def followed() -> FollowedCourses:
+        from rotsolve.search.complete import FollowedCourses
 
-        return Followed()
+        return FollowedCourses()
 
     return partial(fair_refusal, problem=problem, law=law, followed=followed)
 
@@ -180,7 +180,7 @@ def fair_refusal(
     names: Sequence[str],
     problem: Problem,
     law: str | None,
-    followed: Callable[[], Followed] | None = None,
+    followed: Callable[[], FollowedCourses] | None = None,
 ) -> Fault:
     """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved."""
     if fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):

@@ -39,7 +39,7 @@ STIR = 0.1  # radians, or rates, of what nothing tells
 VARYING = "the accelerations vary"
 
 
-class Followed:
+class FollowedCourses:
     """The courses of a scene by its assembly, each followed once for all questions that are looked at."""
 
     def __init__(self) -> None:
@@ -56,7 +56,7 @@ class Followed:
 
 
 def unsolved(
-    problem: Problem, names: Sequence[str], law: str | None, *, whole: bool, followed: Followed | None = None
+    problem: Problem, names: Sequence[str], law: str | None, *, whole: bool, followed: FollowedCourses | None = None
 ) -> Fault | None:
     """What is not solved, where the assembly answers one of some questions, or knows what happens before; None where it does not.
 
@@ -69,7 +69,7 @@ def unsolved(
     except (NotYet, Unsolvable):
         return None
     finds = [find for find in ready.finds if find.name in names]
-    for course, other in (followed or Followed()).courses(ready):
+    for course, other in (followed or FollowedCourses()).courses(ready):
         for find in finds:
             if help := answers(course, other, find, whole=whole):
                 alone = "" if law is None else f" by {FAMILIES[law].words} alone"

@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import HARMONIC, NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts
-from rotsolve.core.symbols import RATES, REST, is_key, key_of, of_kinds
+from rotsolve.core.symbols import RATES, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.equations.swing import Swing
@@ -158,14 +158,6 @@ def acceleration_of(swing: Swing, search: Stepping) -> Formula:
             raise NotYet(f"how `{swing.body}` swings has no closed form")
         search.displaced[swing.acceleration.name] = search.solver.with_answers(found)
     return search.displaced[swing.acceleration.name]
-
-
-def check_alone(name: str, roots: Sequence[Formula]) -> None:
-    """Where a body on a line is in equilibrium has to be told where that may be at several places, of which several may be stable."""
-    key = key_of(name) if is_key(name) else None
-    if key is not None and key.kind == "displacement" and key.when.startswith(REST) and len(roots) > 1:
-        body = spoken(key.owner)
-        raise NotYet(f"`{body}` may be in equilibrium at {len(roots)} places: about which it swings is not told")
 
 
 def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping) -> None:
