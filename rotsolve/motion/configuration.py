@@ -343,8 +343,8 @@ class Configuration(Arrangement, frozen=True, dict=True):
 
     @remembered
     def carries_evenly(self, name: str, state: str) -> bool:
-        """Whether all that moves with a body turns about fixed axes, or about its own centre that such a body carries round: without weights
-        and under constant torques that speeds up evenly, as its moment of inertia is the same in all places."""
+        """Whether all that moves with a body turns about fixed axes, or about its own centre that such a body carries round: without
+        weights and under constant torques that speeds up evenly, as its moment of inertia is the same in all places."""
         component = self.component(name, state)
         if self.heavy or self.set_down(component, state) or any(self.changing(member, state) for member in component):
             return False

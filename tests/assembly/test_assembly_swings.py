@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot, isclose, pi, sqrt
+from math import acos, hypot, isclose, pi, sqrt
 
 import pytest
 
@@ -173,3 +173,10 @@ def test_of_several_equilibria_none_is_taken() -> None:
     """A spring that is longer than its place is away may hold the collar on either side, with another frequency on each."""
     with pytest.raises(Unsolvable, match="may be in equilibrium at 3 places"):
         solve(COLLAR.replace("m: 2 kg, d: 0.3 m", "m: 0.2 kg, d: 0.2 m"))
+
+
+def test_a_place_that_is_not_stable_is_no_rival_of_one_that_is() -> None:
+    """Where the hoop turns fast the bead stands steadily below as well, but does not stay there."""
+    found = solve(HOOP.replace("w: 3 rad/s", "w: 20 rad/s"))
+    assert isclose(found.answers["theta"].float, acos(9.8 / (0.1 * 20**2)), rel_tol=1e-9)
+    assert [item.holds for item in found.derivation.confirmed] == [True]
