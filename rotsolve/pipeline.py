@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.core.derivation import AnswerConfirmation
     from rotsolve.core.limits import Limit
+    from rotsolve.search.complete import FollowedCourses
 
 DIGITS, MOST_DIGITS = 4, 1000
 FEW_LETTERS = 4  # that a message names
@@ -110,9 +111,8 @@ def refused_fairly(problem: Problem, law: str | None, digits: int, at: str | Non
         raise refused_with_others(error, problem, law) from None
     if not solution.derivation.refused:
         return solution
-    refused = [
-        replace(item, fault=fair_refusal(item.fault, problem, [item.name], law)) for item in solution.derivation.refused
-    ]
+    judge = fairly(problem, law)
+    refused = [replace(item, fault=judge(item.fault, [item.name])) for item in solution.derivation.refused]
     return replace(solution, derivation=replace(solution.derivation, refused=tuple(refused)))
 
 
@@ -127,9 +127,8 @@ def refused_with_others(error: Unsolvable, problem: Problem, law: str | None) ->
     every = [find.name for find in problem.finds]
     names = list(error.refused) if isinstance(error, Unanswered) else []
     told = [error.fault, *error.others]
-    first, *others = (
-        fair_refusal(fault, problem, [names[k]] if k < len(names) > 1 else every, law) for k, fault in enumerate(told)
-    )
+    judge = fairly(problem, law)
+    first, *others = (judge(fault, [names[k]] if k < len(names) > 1 else every) for k, fault in enumerate(told))
     if [first, *others] == told:
         return error
     if isinstance(error, Contradicted) and first.kind == error.fault.kind:
@@ -164,7 +163,25 @@ def as_tried(error: Exception, problem: Problem) -> Exception:
     return unsolvable(problem, fault.message, fault.span, help, kind=fault.kind)
 
 
-def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str | None) -> Fault:
+def fairly(problem: Problem, law: str | None) -> Callable[[Fault, Sequence[str]], Fault]:
+    """What is fair to say of refusals of some questions of a scene, which an assembly follows once for all of them."""
+
+    @cache
+    def followed() -> FollowedCourses:
+        from rotsolve.search.complete import FollowedCourses
+
+        return FollowedCourses()
+
+    return partial(fair_refusal, problem=problem, law=law, followed=followed)
+
+
+def fair_refusal(
+    fault: Fault,
+    names: Sequence[str],
+    problem: Problem,
+    law: str | None,
+    followed: Callable[[], FollowedCourses] | None = None,
+) -> Fault:
     """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved."""
     if fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
         return fault
@@ -172,7 +189,7 @@ def fair_refusal(fault: Fault, problem: Problem, names: Sequence[str], law: str 
         from rotsolve.search.complete import unsolved
 
         with stage("confirm", whole=True):
-            if found := unsolved(problem, names, law, whole=fault.kind != INCOMPLETE):
+            if found := unsolved(problem, names, law, whole=fault.kind != INCOMPLETE, followed=followed and followed()):
                 return found
     fault = not_found(fault, problem)
     return blamed_fairly(fault, problem) if fault.broken else fault
@@ -385,7 +402,7 @@ def fairly_refused(
         return error
     givens = [replace(item, value=Number(point[item.name])) if item.name in point else item for item in problem.givens]
     at_point = replace(problem, givens=tuple(givens))
-    fault = fair_refusal(error.fault, at_point, [find.name for find in problem.finds], law)
+    fault = fair_refusal(error.fault, [find.name for find in problem.finds], at_point, law)
     return (
         error if fault is error.fault else unsolvable(problem, fault.message, fault.span, fault.help, kind=fault.kind)
     )

@@ -10,7 +10,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot, on_rim, radius_of, side_of
 from rotsolve.confirm.constraints import tied_at
 from rotsolve.confirm.jet import Jet, Slope, distance
-from rotsolve.confirm.lines import twist, wound_by
+from rotsolve.confirm.lines import onward, twist, wound_by
 from rotsolve.confirm.pose import Pair, Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, WORDS, mover, pointing
@@ -190,9 +190,9 @@ def aimed(
         arm = x.value - u.value, y.value - w.value
         size = math.hypot(*arm)
         if size == 0.0:
-            return spot, model.line(name) or RIGHT
+            return spot, onward(name, pose, model) or RIGHT
         return spot, turned((arm[0] / size, arm[1] / size), turn)
-    way = pointing(direction, model) if direction is not None else model.line(name) or RIGHT
+    way = pointing(direction, model) if direction is not None else onward(name, pose, model) or RIGHT
     if wheel and (over or under):
         rightward = way[0] > 1e-9 or (abs(way[0]) <= 1e-9 and way[1] < 0)
         outward = turned(way, 1 if rightward == over else -1)

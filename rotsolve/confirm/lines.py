@@ -11,7 +11,7 @@ from msgspec import Struct
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
-from rotsolve.confirm.pose import Pair, Pose, along, load
+from rotsolve.confirm.pose import Pair, Pose, Way, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
 from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
@@ -218,6 +218,16 @@ def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     return None
 
 
+def onward(name: str, pose: Pose, model: Known) -> Way | None:
+    """The way in which a body travels just now: along the curved surface on which it is, else along its line."""
+    found = bent(name, model)
+    if found is None:
+        return model.line(name)
+    x, y = (part.value for part in pose.place(name, (0.0, 0.0)))
+    size, sign = math.hypot(x, y), round_way(found[1], model.body(name).moves)
+    return (-y * sign / size, x * sign / size)
+
+
 def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body that flies now was on a curved surface of known form."""
     lying = {item.lying() for item in model.acting.connections}
@@ -328,11 +338,8 @@ def direction(path: Path, place: Pair, pose: Pose, model: Known) -> tuple[float,
     way = model.way(path.owner)
     if way is not None and path.point is None:
         return way
-    found = bent(path.owner, model)
-    if found is not None and path.point is None:
-        x, y = (part.value for part in pose.place(path.owner, (0.0, 0.0)))
-        size, sign = math.hypot(x, y), round_way(found[1], model.body(path.owner).moves)
-        return (-y * sign / size, x * sign / size) if size else None
+    if bent(path.owner, model) is not None and path.point is None:
+        return onward(path.owner, pose, model)
     if path.owner in model.held:
         x, y = (part.value for part in pose.place(path.owner, model.axis(path.owner)))
         arm, sign = (place[0].value - x, place[1].value - y), model.sense(path.owner)

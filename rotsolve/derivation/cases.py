@@ -71,7 +71,7 @@ class CaseTeller(Struct, frozen=True):
         """Of cases with the same answers the first, by where they hold."""
         told: list[Held] = []
         for case in full:
-            own = [other for other in full if same_forms(case, other)]
+            own = [other for other in full if same_forms(case, other, self.space.positive)]
             if own[0] is case:
                 told.append(Held(told_in(case), own, self.apart(own)[0]))
         regions = Closing(self.edges).closed(told) if len(told) > 1 else []
@@ -84,7 +84,7 @@ class CaseTeller(Struct, frozen=True):
             answer = next((answer for answer in told_in(case) if answer.name == name), None)
             if answer is None:
                 continue
-            group = next((own for other, own in groups if same_form(answer, other)), None)
+            group = next((own for other, own in groups if same_form(answer, other, self.space.positive)), None)
             if group is None:
                 groups.append((answer, [case]))
             else:
@@ -264,8 +264,9 @@ def alike_provisos(one: Sequence[Proviso], other: Sequence[Proviso]) -> bool:
     return len(one) == len(other) and all(any(map(proviso.same, other)) for proviso in one)
 
 
-def same_form(one: Answer, other: Answer) -> bool:
-    """Whether two cases answer a question alike; a choice with the values that it was made by, a function of time for as long."""
+def same_form(one: Answer, other: Answer, positive: Collection[str] = frozenset()) -> bool:
+    """Whether two cases answer a question alike, where some letters are positive; a choice with the values that it was made by, a function
+    of time for as long."""
     weighed = list(zip_longest(one.weighed, other.weighed))
     if not all(first is not None and last is not None and equal(first, last) for first, last in weighed):
         return False
@@ -273,19 +274,22 @@ def same_form(one: Answer, other: Answer) -> bool:
         (answer.name, answer.word, answer.direction, answer.positive, answer.until, len(answer.components))
         for answer in (one, other)
     ]
-    if words[0] != words[1] or not all(map(same_form, one.components, other.components)):
+    if words[0] != words[1] or not all(
+        same_form(part, like, positive) for part, like in zip(one.components, other.components, strict=True)
+    ):
         return False
     forms = (one.closed or one.formula, other.closed or other.formula)
     if forms[0] is None or forms[1] is None:
         return forms[0] is forms[1]
-    return equal(forms[0], forms[1])
+    return equal(forms[0], forms[1], positive)
 
 
-def same_forms(one: Solved, other: Solved) -> bool:
+def same_forms(one: Solved, other: Solved, positive: Collection[str]) -> bool:
     """Whether two cases have the same answers; where they hold up to a state on the way, with the same states."""
     if any(answer.until for answer in told_in(one)) and states_of(one) != states_of(other):
         return False
-    return len(told_in(one)) == len(told_in(other)) and all(map(same_form, told_in(one), told_in(other)))
+    pairs = zip(told_in(one), told_in(other), strict=False)
+    return len(told_in(one)) == len(told_in(other)) and all(same_form(*pair, positive) for pair in pairs)
 
 
 def says_more(one: Solved, other: Solved) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from rotsolve.algebra.certified.sign import real_where, sign_within
 from rotsolve.algebra.exact.normal import is_zero, simplify, without_direction
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Quotient, Symbol
@@ -92,5 +93,7 @@ def put_at(formula: Formula, values: Mapping[str, Formula], space: LetterSpace) 
         return None
     if without_direction(there) or has_quantities(there):
         return None
+    if any(sign_within(gap, {*space.positive, *space.acute}, space.acute) == -1 for gap in real_where(there)):
+        return None  # the answer does not hold there
     found = simplify(there, order=space.order, positive=space.positive)
     return found if length(found) <= SHORT else None

@@ -15,6 +15,7 @@ from rotsolve.core.vectors.heading import (
     RIGHT,
     UP,
     Direction,
+    Heading,
     Vector,
     along_text,
     pointing,
@@ -103,15 +104,25 @@ class AppliedForce(Action, frozen=True):
         """Unit vector of the force, and where it acts from the body's reference."""
         motion = instant.motion(on.owner)
         radius = rim_radius(instant.body(on.owner), on.point)
-        if self.direction in SQUARE and (motion.kind == "axis" or self.direction is not None):
+        square = motion.kind == "axis" or (self.direction is not None and has_arm(on, instant.point(on), instant))
+        if self.direction in SQUARE and square:
             return across(on, instant.point(on), turn_sense(self.direction, instant.sense(on.owner)), instant)
-        if self.direction is None:
-            return unit(motion.heading or RIGHT), instant.point(on)
+        if self.direction in SQUARE:
+            return unit(self.onward(motion.heading, on)), instant.point(on)
         direction = pointing(self.direction)
         if radius is not None and (self.over or self.under):
             outward = direction.turned(90 if self.rightward(direction, instant, on) == self.over else -90)
             return direction, instant.hub(on) + outward.times(radius)
         return direction, instant.point(on)
+
+    def onward(self, heading: Heading | None, on: PointRef) -> Heading:
+        """The way in which a body travels, along which what is `tangential` at its centre acts, as what has no direction does."""
+        if self.direction is None:
+            return heading or RIGHT
+        if heading is None or self.direction != "tangential":
+            message = f"`{self.name}` acts at the centre of `{on.owner}`, where no direction is {self.direction}"
+            raise Unsolvable(message, span=on.span, help="say its direction in another way, or name another point")
+        return heading
 
     def rightward(self, direction: Vector, instant: Moment, on: PointRef) -> bool:
         """Whether it pulls to the right, so that it turns a wheel clockwise from its top; straight up or down it does neither."""
@@ -310,11 +321,20 @@ class AppliedPower(Action, frozen=True):
             yield facts.Rule(self.name, "power of the torque", (name,), sides, sides, linear=False)
 
 
+def has_arm(on: PointRef, arm: Vector, instant: Moment) -> bool:
+    """Whether a point lies beside the centre of its body, or is a rim, so that something can be square to its arm."""
+    return bool(arm.parts) or (rim_radius(instant.body(on.owner), on.point) is not None and is_rim(on, instant))
+
+
+def is_rim(on: PointRef, instant: Moment) -> bool:
+    """Whether it is the rim of a round body that a point means."""
+    return on.point in (None, "rim") or on.point in rims(instant.body(on.owner))
+
+
 def across(on: PointRef, arm: Vector, turn: int, instant: Moment) -> tuple[Vector, Vector]:
     """Unit vector square to an arm, along a turn, and where it acts: of a rim on its right."""
-    body = instant.body(on.owner)
-    radius = rim_radius(body, on.point)
-    if (on.point in (None, "rim") or on.point in rims(body)) and (radius is not None or not arm.parts):
+    radius = rim_radius(instant.body(on.owner), on.point)
+    if is_rim(on, instant) and (radius is not None or not arm.parts):
         return unit(UP if turn > 0 else DOWN), instant.hub(on) + vector(radius or ZERO, RIGHT)
     if len(arm.parts) == 1:
         return unit(arm.parts[0][1]).turned(90 * turn), arm

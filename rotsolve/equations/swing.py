@@ -25,7 +25,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
 
-STRETCHES = ("elongation", "angle")  # places that a balance of forces tells
+STRETCHES = ("elongation", "angle", "displacement")  # places that a balance of forces tells
 HARMONIC = " harmonic"  # ends the key of the section in which the harmonic motion is written
 
 

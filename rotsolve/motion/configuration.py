@@ -335,6 +335,35 @@ class Configuration(Arrangement, frozen=True, dict=True):
             paces.append(UNKNOWN)
         return combined(paces)
 
+    @remembered
+    def turn_span(self, name: str, state: str) -> str:
+        """Where the angular acceleration of a body at a state belongs: to its phase also where forces go round, but their torques stay."""
+        phase = self.timeline.phase_of(state)
+        return phase.name if phase is not None and self.carries_evenly(name, state) else self.span(name, state)
+
+    @remembered
+    def carries_evenly(self, name: str, state: str) -> bool:
+        """Whether all that moves with a body turns about fixed axes, or about its own centre that such a body carries round: without
+        weights and under constant torques that speeds up evenly, as its moment of inertia is the same in all places."""
+        component = self.component(name, state)
+        if self.heavy or self.set_down(component, state) or any(self.changing(member, state) for member in component):
+            return False
+        carriers = {member for member in component if self.pivot(member, state) is not None}
+        joints = [
+            item
+            for item in self.connections(state)
+            if {self.host(ref.owner, state) for ref in item.joint()} & carriers
+            and any(ref.point in (None, "center") and ref.owner in component - carriers for ref in item.joint())
+        ]
+        carried = {ref.owner for item in joints for ref in item.joint()}
+        acting = [item for item in self.acting(state) if {ref.owner for ref in item.touches()} & component]
+        return (
+            bool(joints)
+            and not any(item in acting and item.rubs() for item in self.connections(state))
+            and all(member in carried and self.balanced(member, state) for member in component - carriers)
+            and all(item in joints or item.pace(self, state) == "constant" for item in acting)
+        )
+
     def set_down(self, component: frozenset[str], state: str) -> bool:
         """Whether bodies go from rest to rest in the phase of a state by a force that is asked for: it can not stay the same."""
         asked = {given.name for given in self.problem.givens if given.asked}

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import GENERIC, TIME, paths_in
+from rotsolve.core.symbols import GENERIC, NEAR, REST, TIME, paths_in
 from rotsolve.core.vectors.heading import (
     NOWHERE,
     TURNS,
@@ -152,9 +154,15 @@ class Instant(Standing, frozen=True, dict=True):
                 return self.since_first(word, name)
 
     def since_first(self, word: str, name: str) -> Formula:
-        """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter."""
+        """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter; near
+        an equilibrium also how far that is from its state, where it is worked out, and how far it is displaced from there."""
         words = self.turn_words(name) if word == "rotation" else self.line_words(name)
         timeline = self.configuration.timeline
+        if self.generic and self.mark in (REST, NEAR):
+            moments = [] if self.in_balance else [REST + self.state]
+            moments += [self.when] if self.mark == NEAR else []
+            gone = (self.ask(word, name, when=when, words=words) for when in moments)
+            return sum(gone, start=replace(self, generic=False).since_first(word, name))
         if self.generic:
             return self.ask(word, name, when=GENERIC + timeline.states[0].name, words=words)
         result: Formula = ZERO

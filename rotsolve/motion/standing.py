@@ -75,6 +75,11 @@ class Standing(Struct, frozen=True, dict=True):
         own = self.configuration.span(name, self.state)
         return self.when if self.generic and own == self.state else own
 
+    def turn_span(self, name: str) -> str:
+        """The same of its angular acceleration."""
+        own = self.configuration.turn_span(name, self.state)
+        return self.when if self.generic and own == self.state else own
+
     def body(self, name: str) -> Body:
         return self.configuration.body(name, self.state)
 
@@ -135,7 +140,7 @@ class Standing(Struct, frozen=True, dict=True):
         thought_of = (self.generic and self.mark != GENERIC) or (self.virtual and word == "angular_velocity")
         if thought_of and self.held_still(name):
             return ZERO
-        when = self.span(name) if word == "angular_acceleration" else self.moving
+        when = self.turn_span(name) if word == "angular_acceleration" else self.moving
         return self.ask(word, name, when=when, words=self.turn_words(name))
 
     def held_still(self, name: str) -> bool:

@@ -162,6 +162,7 @@ def component_travel(
 def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
     """The turning of a body; where it is driven, the drive alone tells how its rate varies."""
     drives = [drive for drive in first.configuration.drives(name, interval.start) if drive.kinds == TURNING]
+    pace = CONSTANT if first.configuration.carries_evenly(name, interval.start) else pace
     pace = drives[0].pace if drives else pace
     before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
     source = middle if pace != "constant" else first

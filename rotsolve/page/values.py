@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import takewhile
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
@@ -62,14 +64,14 @@ def only_letters(phrases: tuple[Words, ...]) -> bool:
     return all(len(phrase) == 1 and isinstance(phrase[0], Formula) for phrase in phrases)
 
 
-def answer_row(answer: Answer, digits: int) -> AnswerRow:
-    """An answer: its exact form, its certified number, where it points, and what is not certain of it."""
+def answer_row(answer: Answer, digits: int, alike: Sequence[Answer] = ()) -> AnswerRow:
+    """An answer: its exact form, its certified number, where it points, what is not certain of it, and when it holds, as those `alike`."""
     number, note = certified_digits(answer.value, digits)
     pointing = () if answer.conditions else answer.pointing  # what holds in a case alone may tell it
     held = {name for one in answer.conditions for name in one.left.symbols() | one.right.symbols()}
     spoken_of = {name for part in answer.leading if isinstance(part, Formula) for name in part.symbols()}
     leading = () if held & spoken_of else answer.leading  # a case may be one in which nothing is small
-    phrases = ((note,) if note else (), leading, answer.remark, pointing, holding_if(answer))
+    phrases = ((note,) if note else (), leading, answer.remark, pointing, holding_if(answer, *alike))
     notes = tuple(phrase for phrase in phrases if phrase)
     asides = tuple(text for text in (_pointing(answer, number, digits), answer.word) if text)
     if answer.rows:
@@ -84,15 +86,23 @@ def answer_row(answer: Answer, digits: int) -> AnswerRow:
 
 
 def answer_rows(answer: Answer, digits: int) -> Iterator[AnswerRow]:
-    """An answer, and what it is in other cases."""
-    yield answer_row(answer, digits)
-    yield from (answer_row(other, digits) for other in answer.otherwise)
+    """An answer, and what it is in other cases; once where it is the same in several."""
+    left = [answer, *answer.otherwise]
+    while left:
+        alike = [one for one in left if unconditional(one) == unconditional(left[0])]
+        yield answer_row(left[0], digits, alike[1:])
+        left = [one for one in left[1:] if not any(one is other for other in alike)]
 
 
-def holding_if(answer: Answer) -> Phrase:
-    """The conditions under which an answer holds: "if P ≤ μ m g"."""
-    phrases = joined_phrases(((equation(one),) for one in answer.conditions), " and ")
-    return ("if ", *phrases) if answer.conditions else ()
+def unconditional(answer: Answer) -> Answer:
+    """An answer without what it holds under."""
+    return replace(answer, conditions=(), otherwise=())
+
+
+def holding_if(*answers: Answer) -> Phrase:
+    """The conditions under which an answer holds, in one case or in another: "if P ≤ μ m g, or if M < m"."""
+    cases = (joined_phrases(((equation(one),) for one in answer.conditions), " and ") for answer in answers)
+    return ("if ", *joined_phrases(cases, ", or if ")) if all(answer.conditions for answer in answers) else ()
 
 
 def _matrices(answer: Answer, digits: int) -> tuple[Matrix, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, add, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Formula, add, divide, sqrt
 from rotsolve.core.facts import Motion, Whirl, signed, square
 from rotsolve.core.quantity import INSIDE, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit, vector
@@ -42,6 +42,8 @@ class OfPoints(AtInstant, frozen=True):
         ride = self.instant.configuration.ride(path.owner, self.instant.state)
         if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
             return self._of_rider(path)
+        if ride is not None and ride.free and path.quantity == "acceleration" and path.point in (None, "cm"):
+            return self._bent_by_slide(path)
         motion, arm = self.instant.motion(path.owner), self._arm(path)
         if motion.whirl is not None and path.component not in ("x", "y"):
             return self._round_shaft(path, motion, motion.whirl, arm)
@@ -118,6 +120,26 @@ class OfPoints(AtInstant, frozen=True):
         if path.component in ("x", "y"):
             return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
         return Meaning(vector_size(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
+
+    def _bent_by_slide(self, path: Path) -> Meaning:
+        """Acceleration of what slides freely along another body: r α + 2 ω v across, and along it by the forces along it alone."""
+        name, dimension = path.owner, QUANTITIES["acceleration"].dimension
+        if path.component in NATURAL:
+            help = f"ask for `{name}.acceleration`, `.x` or `.y`"
+            raise NotYet(f"`{path_text(path)}` of what slides along another body is not solved yet", help=help)
+        if self.facts().potentials:
+            raise NotYet(f"the acceleration of `{name}`, which slides while a spring pulls, is not solved yet")
+        carrier = self.body(name)
+        item = next(one for one in carrier.sliding if one.name == name)
+        motion, forces = carrier.motion, [force.vector for force in carrier.forces if force.part == name]
+        along = divide(sum((force.along(item.outward) for force in forces), start=ZERO), item.mass)
+        across = add(item.place * motion.spin_rate, 2 * motion.spin * item.speed)
+        vector = unit(item.outward).times(along) + unit(item.outward.turned(90)).times(across)
+        label = f"acceleration of {spoken_point(path)}"
+        if path.component in ("x", "y"):
+            side, axis = ("horizontally", RIGHT) if path.component == "x" else ("vertically", UP)
+            return Meaning(vector.along(axis), dimension, label=f"{label}, {side}")
+        return Meaning(vector_size(vector), dimension, vector, label=label)
 
     def place(self, path: Path) -> Meaning:
         """A component of a point's place: that of the body's reference, and from there to the point."""

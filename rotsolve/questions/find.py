@@ -248,7 +248,14 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
 
         refuse_products(find)
         refuse_mixed_axes(find, scene)
-    meanings = meanings_of_terms(find, scene, beside)
+    try:
+        meanings = meanings_of_terms(find, scene, beside)
+    except NotYet:
+        from rotsolve.questions.forced import forced_swings
+
+        if (forced := forced_swings(find, scene.configuration)) is not None:
+            raise forced from None
+        raise
     if any(term.path.quantity == "kinetic_energy" for term in find.terms):
         from rotsolve.questions.energies import with_named_energies
 

@@ -88,6 +88,7 @@ def equality(
     first = find.terms[0].path if find.terms else None
     kind = QUANTITIES.get(first.quantity) if first is not None else None
     letter, owner = (kind.letter if kind is not None else "") or "x", first.owner if first is not None else ""
+    letter = letter if word != "number" else ""  # what has no unit stands in the derivation as it is written
     want = Want(part.value[: words[sign - 1].end], word, letter, owner)
     found = read_scalar(scope, part.cut(right[0].start, right[-1].end), want)
     return None if found is None else Condition(None, found, span=part.span, phrase=find)

@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.formula import ONE, PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.units.dimension import (
     ANGLE,
     BY_NAME,
@@ -297,7 +297,8 @@ def as_letter(scope: Scope, span: Span, want: Want, quantity: UnitValue) -> Form
     share = share_of_pi(quantity.value)
     if quantity.dimension == ANGLE and share is not None and share % STEP == 0:
         return multiple_of_pi(share)
-    if not want.letter or (quantity.dimension == NUMBER and want.dimension != "number"):
+    plain = quantity.dimension == NUMBER and (want.dimension != "number" or quantity.value == ONE)
+    if not want.letter or plain:
         return quantity.value
     return scope.automatic(want.letter, want.owner, quantity, span, want.hint)
 

@@ -18,6 +18,7 @@ from rotsolve.confirm.course.samples import sets_of_numbers, sets_wanted
 from rotsolve.confirm.verdicts import SAME
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import UNSOLVED, Fault, Unsolvable
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.complete import configured
@@ -38,7 +39,25 @@ STIR = 0.1  # radians, or rates, of what nothing tells
 VARYING = "the accelerations vary"
 
 
-def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: bool) -> Fault | None:
+class FollowedCourses:
+    """The courses of a scene by its assembly, each followed once for all questions that are looked at."""
+
+    def __init__(self) -> None:
+        self.made: list[tuple[Course, Course]] = []
+        self.left: Iterator[tuple[Course, Course]] | None = None
+
+    def courses(self, problem: Problem) -> Iterator[tuple[Course, Course]]:
+        """With each set of numbers in turn."""
+        self.left = courses(problem) if self.left is None else self.left
+        yield from self.made
+        for pair in self.left:
+            self.made.append(pair)
+            yield pair
+
+
+def unsolved(
+    problem: Problem, names: Sequence[str], law: str | None, *, whole: bool, followed: FollowedCourses | None = None
+) -> Fault | None:
     """What is not solved, where the assembly answers one of some questions, or knows what happens before; None where it does not.
 
     `whole` asks that it follows all states, as it has to where they are said to contradict each other.
@@ -50,7 +69,7 @@ def unsolved(problem: Problem, names: Sequence[str], law: str | None, *, whole: 
     except (NotYet, Unsolvable):
         return None
     finds = [find for find in ready.finds if find.name in names]
-    for course, other in courses(ready):
+    for course, other in (followed or FollowedCourses()).courses(ready):
         for find in finds:
             if help := answers(course, other, find, whole=whole):
                 alone = "" if law is None else f" by {FAMILIES[law].words} alone"
@@ -184,7 +203,9 @@ def starts_alike(course: Course, other: Course) -> bool:
 
 
 def hurdle(course: Course, find: Find) -> str:
-    """What the laws have to get over on the way to what is asked: accelerations that vary, a blow, or just the motion."""
+    """What the laws have to get over on the way to what is asked: swings, accelerations that vary, a blow, or just the motion."""
+    if any(term.path.quantity in OSCILLATING for term in find.terms):
+        return "how it swings about its equilibrium"
     last = max((course.names.index(name) for name in asked_states(course, find)), default=0)
     ways = list(zip(course.names[:last], course.names[1 : last + 1], strict=True))
     for start, end in ways:
@@ -198,7 +219,11 @@ def hurdle(course: Course, find: Find) -> str:
     for start, end in reversed(ways):
         event = course.event(start, end)
         return f"what `{event.name}` does" if event is not None else f"the motion from {spoken(start)} to {spoken(end)}"
-    return f"the forces and accelerations at {spoken(course.names[0])}" if course.names[0] else "its equations"
+    return (
+        f"the forces and accelerations at {spoken(course.names[0])}"
+        if course.names[0]
+        else "the forces and accelerations"
+    )
 
 
 def asked_states(course: Course, find: Find) -> Iterator[str]:

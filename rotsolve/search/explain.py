@@ -339,6 +339,10 @@ def refuse_unsolved(search: Search, shortage: Shortage, find: Find) -> None:
     travels = [travel for passage in search.scene.passages.values() for travel in passage.travels]
     several = next((travel.body for travel in travels if travel.pace == MIXED), "")
     if several:
+        from rotsolve.questions.forced import forced_swings
+
+        if (forced := forced_swings(find, search.scene.configuration)) is not None:
+            raise unsolvable(problem, str(forced), find.span, help=forced.help, kind=UNSOLVED)
         message = f"`{several}` is driven by what varies with more than one of time, place and speed: not solved yet"
         raise unsolvable(problem, message, find.span, kind=UNSOLVED)
     quantities = search.scene.registry.quantities

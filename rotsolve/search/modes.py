@@ -125,8 +125,11 @@ def in_balance(mode: Mode, rows: Rows, search: Stepping) -> tuple[Rows, Words]:
         value = solve_linear(left, letter) if letter else None
         if value is not None:
             found = {name: told.substitute({letter: value}) for name, told in found.items()} | {letter: value}
+        elif letter:
+            raise NotYet(f"the equilibrium of {group_in_words(mode)} has no closed form: that is not solved yet")
         elif search.signs.decide(left) != 0:
-            raise NotYet(f"{group_in_words(mode)} are not in equilibrium: {spoken(mode.rest.state) or 'as they are'}")
+            verb, state = "is" if len(mode.group) == 1 else "are", spoken(mode.rest.state)
+            raise NotYet(f"{group_in_words(mode)} {verb} not in equilibrium {f'at {state}' if state else 'as drawn'}")
     spoken_of = {name for part in matrix_entries(rows) for name in part.symbols()}
     known = set(search.givens) | set(search.values)
     settled = replace_parts(rows, lambda part: search.solver.simplify(part.substitute(found)))

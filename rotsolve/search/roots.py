@@ -17,10 +17,12 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, cal
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, INERTIA, LENGTH, MASS
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Passage
-from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
+from rotsolve.core.symbols import POSITION, RATES, REST, is_key, key_of, of_kinds
+from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Given, references
 from rotsolve.motion.positive import is_angle
+from rotsolve.paths.meaning import NotYet
 from rotsolve.search.expected import Expected
 from rotsolve.search.first_reached import FirstReached, gaps_to_surfaces
 from rotsolve.search.numbers import Numbers
@@ -407,3 +409,11 @@ def extreme_root(name: str, roots: Sequence[Formula], picked: PickedRoot, asked:
     best = able[numbers.least([sign * roots[index] for index in able])]
     alike = tuple(stable and able)
     return picked if best == picked.root else PickedRoot(best, (f"the {word}",), guessed=True, alike=alike)
+
+
+def check_alone(name: str, roots: Sequence[Formula]) -> None:
+    """Where a body on a line is in equilibrium has to be told where that may be at several places, of which several may be stable."""
+    key = key_of(name) if is_key(name) else None
+    if key is not None and key.kind == "displacement" and key.when.startswith(REST) and len(roots) > 1:
+        body = spoken(key.owner)
+        raise NotYet(f"`{body}` may be in equilibrium at {len(roots)} places: about which it swings is not told")

@@ -211,13 +211,14 @@ class Search(Struct, dict=True):
 
     def picked_root(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
-        from rotsolve.search.roots import RootChoice, among, by_motion, nearest_turn
+        from rotsolve.search.roots import RootChoice, among, by_motion, check_alone, nearest_turn
 
         if self.ground is not None:
             self.ground.chose = True
         choice = RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula)
         from rotsolve.search.consistency import roots_with_values
 
+        check_alone(name, [root for root in roots if self.numbers.of(root) is not None])
         plain = not self.careful or period is not None
         fitting = roots_with_values(name, roots, self, plain=plain)
         if not plain and len(fitting) == 1 < len(roots):

@@ -166,7 +166,8 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping)
     at_rest = exact.substitute({swing.coordinate.name: ZERO})
     if search.signs.decide(at_rest) != 0 and not balanced_by_law(at_rest, swing, search):
         raise NotYet(f"`{name}` is not in equilibrium at {state}: it speeds up there")
-    known = set(search.givens) | set(search.values)
+    found = {place for place in swing.unsettled if place in search.solver.solved}  # by numbers alone, else it is put in
+    known = set(search.givens) | set(search.values) | found
     if slope.symbols() - known:
         raise NotYet(f"how `{name}` swings about {state} depends on how its springs are stretched there")
     way = sign_with_roots(slope, search)
@@ -178,12 +179,13 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping)
 
 def balanced_by_law(push: Formula, swing: Swing, search: Stepping) -> bool:
     """Whether a law at the state says that nothing speeds up there, by which a letter without a closed form is told."""
-    if not push.symbols() & search.scene.configuration.problem.sought:
+    letters = search.scene.configuration.problem.sought | set(swing.unsettled)
+    if not push.symbols() & letters:
         return False
-    laws = [law for law in search.planner.pool if law.family == NEWTON and law.section == swing.rest.state]
+    laws = [law for law in search.planner.pool if law.family == NEWTON and law.section == swing.balanced]
     gaps = (search.solver.with_answers(law.left - law.right) for law in laws)
     shares = (search.solver.simplify(push / gap) for gap in gaps if not is_zero(gap))
-    return any(not share.symbols() & push.symbols() & search.scene.configuration.problem.sought for share in shares)
+    return any(not share.symbols() & push.symbols() & letters for share in shares)
 
 
 def sign_with_roots(value: Formula, search: Stepping) -> int | None:

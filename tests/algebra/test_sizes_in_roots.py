@@ -80,3 +80,12 @@ def test_it_keeps_its_value_whatever_the_signs(seed: int) -> None:
                 compared += 1
                 assert value(short, numbers) == pytest.approx(before, rel=1e-9), text
     assert compared > 60
+
+
+def test_a_number_stands_first_under_a_root() -> None:
+    """Also where what stands under it is a factor of what stands beside it."""
+    root = "sqrt(3*m*(3*m + 4*M))"
+    fraction = parse(f"sqrt(2*(m + 3*M*((-3*m + {root})/(6*M))^2)/(3*(m + 2*M*((-3*m + {root})/(6*M)))))")
+    written = to_text(simplify(fraction, positive={"m", "M"}))
+    assert "√(3 m (3 m + 4 M))" in written
+    assert "·" not in written

@@ -161,3 +161,45 @@ find: {r: ratio of one.rotation to two.rotation in mode 1}
 """
     with pytest.raises(Unsolvable, match="the same frequency"):
         rotsolve.solve(scene)
+
+
+@pytest.mark.parametrize(("ratio", "exact"), [("1", "2 √(I κ)"), ("0.5", "√(I κ)")])
+def test_a_plain_number_of_a_condition_is_put_in(ratio: str, exact: str) -> None:
+    scene = f"""
+title: a disc on a wire in oil
+gravity: none
+given: {{I: kg m^2, kappa: N m/rad, b: N m s}}
+bodies: {{disc: {{inertia: I}}}}
+connections: {{axle: {{axle: disc}}, wire: {{torsion: disc, stiffness: kappa}}}}
+actions: {{oil: {{couple: -b*disc.angular_velocity, on: disc}}}}
+find: {{c: b where (damping_ratio of small swings) = {ratio}}}
+"""
+    assert rotsolve.solve(scene).answers["c"].exact == exact
+
+
+def test_a_restitution_of_one_is_put_in() -> None:
+    scene = """
+title: a ball against another one
+given: {m: kg, M: kg, u: m/s}
+surfaces: {ice: level}
+bodies: {one: {mass: m, moves: right}, two: {mass: M, moves: right}}
+connections: {a: {contact: [one, ice]}, b: {contact: [two, ice]}}
+states: {before: {one.velocity: u, at rest: two}, after: {}}
+events: {hit: {collides: [one, two], restitution: 1, from: before, to: after}}
+find: {v: one.velocity at after}
+"""
+    assert rotsolve.solve(scene).answers["v"].exact == "u (m − M)/(m + M)"
+
+
+def test_where_an_answer_is_not_real_it_is_not_checked() -> None:
+    """Without a lever, b → 0, the rod has no swings, and w no value."""
+    scene = """
+title: a rod with a spring and a dashpot
+given: {m: kg, l: m, b: m, k: N/m, c: N s/m}
+bodies: {rod: {shape: rod, mass: m, length: l}}
+connections: {A: {hinge: rod.start}, B: {spring: [ground, rod.at(b)], stiffness: k}}
+actions: {dash: {couple: -c*l^2*rod.angular_velocity, on: rod}}
+states: {level: {rod.angle: 0, balance: true}}
+find: {w: angular_frequency of small swings of rod about level}
+"""
+    assert "√(−" not in rotsolve.solve(scene).to("text")

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import cos, hypot, radians, sin, sqrt
 
 import pytest
 
-from rotsolve.core.faults import NeverReached
+from rotsolve.core.faults import NeverReached, Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
@@ -109,3 +109,34 @@ def test_what_rides_has_its_angular_momentum_about_the_axis() -> None:
     found = solve(text)
     assert speed(found) == pytest.approx(M * 0.3**2 * W)
     assert all(item.holds for item in found.derivation.confirmed)
+
+
+TUBE = """
+title: a bead that slides in a tube which swings upright
+given: {m: 1.6 kg, r: 0.2 m, w: 3 rad/s, th: 30 deg}
+bodies: {rod: {shape: rod, mass: 0.9 kg, length: 1 m}, bead: {mass: m}}
+connections: {pin: {hinge: rod.start}, track: {rides: [bead, rod], friction: none}}
+states: {s: {rod.angle: th, bead.radius: r, bead.velocity.radial: 0.5 m/s, rod.angular_velocity: w}}
+find: {a: bead.acceleration, x: bead.acceleration.x, y: bead.acceleration.y}
+"""
+
+
+def test_what_slides_is_accelerated_along_its_carrier_by_its_weight_alone() -> None:
+    """a = −g sin θ along it, r α + 2 ω v across it, with (m r² + M L²/3) α = −(m r + M L/2) g cos θ − 2 m r v ω."""
+    th, g = radians(30), 9.8
+    turn = -((1.6 * 0.2 + 0.45) * g * cos(th) + 2 * 1.6 * 0.2 * 0.5 * 3) / (1.6 * 0.04 + 0.3)
+    along, across = -g * sin(th), 0.2 * turn + 2 * 3 * 0.5
+    told = {
+        "a": hypot(along, across),
+        "x": along * cos(th) - across * sin(th),
+        "y": along * sin(th) + across * cos(th),
+    }
+    found = solve(TUBE)
+    assert {name: found.answers[name].float for name in told} == pytest.approx(told)
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+def test_what_a_spring_does_to_what_slides_is_refused_by_name() -> None:
+    spring = "coil: {spring: [rod.start, bead], stiffness: 50 N/m, rest_length: 10 cm}, track:"
+    with pytest.raises(Unsolvable, match="which slides while a spring pulls"):
+        solve(TUBE.replace("track:", spring))

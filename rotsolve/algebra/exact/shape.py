@@ -26,7 +26,7 @@ from rotsolve.algebra.exact.order import (
     written_fraction,
     written_term,
 )
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Product, Sum, Symbol, negate, total
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Number, Product, Sum, Symbol, negate, total
 from rotsolve.algebra.notation.letters import GLYPHS
 
 TERMS_A_STEP = 4  # that are written
@@ -194,7 +194,9 @@ class Shaper:
         return assembled(parts.number * flip * shared, parts.root, one_exponential(outer), inner)
 
     def _rank(self, factor: Formula, other: Rank) -> Rank:
-        """Where a letter stands in a product; what is none stands elsewhere."""
+        """Where a letter stands in a product, behind the numbers; what is none stands elsewhere."""
+        if isinstance(factor, Number):
+            return (-1, 0, "", "")
         return self.order.ranks[self.field.index[factor]] if isinstance(factor, Symbol) else other
 
     def _turned(self, parts: Parts) -> list[tuple[Terms, Exponent]]:

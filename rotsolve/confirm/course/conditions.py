@@ -10,6 +10,7 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.course.astray import LetsGo, SlipsOn
 from rotsolve.confirm.course.following import Broken, Course, Unbalanced
 from rotsolve.confirm.course.reading import Reckoned, number
+from rotsolve.confirm.course.settling import Adrift
 from rotsolve.confirm.instant import STICKS
 from rotsolve.language.problem import EXTREMES, Condition, Find
 
@@ -109,7 +110,7 @@ def verge(find: Find, condition: Condition, said: float, at: Callable[[float], C
     for name in inside.names:
         held = grip_holds(condition, inside, name)
         looked_for = held and inside.node(name).settled
-        told.append((held, grip_holds(condition, outside, name, looked_for=looked_for)))
+        told.append((held, grip_beyond(condition, outside, name, looked_for=looked_for)))
     if (True, False) not in told:
         if len(told) > 1:
             raise NotConfirmed(f"the state at which `{condition.owner}` is to stick")
@@ -117,6 +118,14 @@ def verge(find: Find, condition: Condition, said: float, at: Callable[[float], C
             raise NotConfirmed(f"`{condition.owner}` sticks with that value alone")
         beside = "a little less" if step < 0 else "a little more"
         raise Broken(f"`{condition.owner}` {'sticks beyond it' if told[0][0] else f'does not stick with {beside}'}")
+
+
+def grip_beyond(condition: Condition, course: Course, state: str, *, looked_for: bool) -> bool:
+    """The same on the other side, where it does not stick either if nothing holds it wherever it gets to."""
+    try:
+        return grip_holds(condition, course, state, looked_for=looked_for)
+    except Adrift:
+        return False
 
 
 def grip_holds(condition: Condition, course: Course, state: str, *, looked_for: bool = True) -> bool:

@@ -11,6 +11,9 @@ from rotsolve.confirm.course.node import Node
 
 FAR = 1e6  # seconds after which nothing is waited for any more
 SAMPLES = (0.03, 0.25, 0.5, 0.75, 0.97, 1.0)  # the outer ones tell that it turns near an end
+JUMP = (
+    1e-2  # share of the values beside it above which what is left at a change of sign is half a jump, as an angle makes
+)
 GOLDEN, SECTIONS = (math.sqrt(5) - 1) / 2, 24
 NEAR = 0.5  # share of what is left at a look below which more is looked for beside it
 
@@ -49,7 +52,9 @@ def crossings(gauge: Gauge, lap: Lap) -> list[float]:
         if (abs(a) <= small and low == 0.0) or a * gauge.way > small:  # of an extreme the other one
             continue
         if a * b < 0 and abs(b) > small:
-            found.append(sign_change(gauge.value, lap.at, low, high))
+            part = sign_change(gauge.value, lap.at, low, high)
+            if gauge.passing or gauge.way or abs(gauge.value(lap.at(part))) <= JUMP * max(abs(a), abs(b)):
+                found.append(part)
         elif abs(b) <= small < abs(a):
             found.append(high)
     return sorted(found)

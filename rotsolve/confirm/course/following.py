@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from rotsolve.confirm.course.laps import FollowedPhase
 
 
+BESIDE = 1e-3  # share of a letter, or in SI units where it is none, by which another one lies beside it
 WITHIN = (0.5, 0.2, 0.8)  # parts of a step at which it is looked at whether something tips over
 
 
@@ -327,8 +328,9 @@ class Course:
             self.hold()
         except Broken as reason:
             raise Broken(f"with it {reason}") from None
-        for part in (1.001, 0.999):
-            other = Course(self.problem, {**self.numbers, name: self.numbers[name] * part}, self.budget)
+        size = abs(self.numbers[name]) or 1.0
+        for step in (BESIDE * size, -BESIDE * size):
+            other = Course(self.problem, {**self.numbers, name: self.numbers[name] + step}, self.budget)
             try:
                 other.hold()
             except NotConfirmed:

@@ -16,7 +16,6 @@ from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.course.swings import STEP, Neighbourhood, weighed
 from rotsolve.confirm.linear import solved
-from rotsolve.confirm.pose import PER_BODY
 from rotsolve.language.problem import MODE, Term
 
 ROUGH, SAME = 1e-4, 1e-6  # shares of the largest ω²: by which two steps may differ, below which a mode does not swing
@@ -36,20 +35,10 @@ class Modes(Neighbourhood):
 
     def __init__(self, first: Node, owner: str, *, told: bool) -> None:
         super().__init__(first)
-        self.indices = [index for index in self.free() if not owner or index // PER_BODY in self.beside(owner)]
+        self.indices = self.free(owner)
         self.told = told
         if not self.indices:
             raise NotConfirmed("nothing of it can swing")
-
-    def beside(self, owner: str) -> set[int]:
-        """The bodies, by their number, that are tied to one, or pulled by the same springs and wires."""
-        names = list(self.model.seats)
-        found, more = {owner}, True
-        groups = [{ref.owner for ref in item.touches() if ref.owner in names} for item in self.model.acting.connections]
-        while more:
-            wider = found.union(*(group for group in groups if group & found))
-            more, found = wider != found, wider
-        return {names.index(name) for name in found}
 
     def pushes_at(self, values: Sequence[float]) -> list[float]:
         """The second rates of the free coordinates."""

@@ -10,11 +10,10 @@ from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.bodies import is_round
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, moment
 from rotsolve.confirm.jet import Jet, Slope
-from rotsolve.confirm.lines import bent, circle_of, left_from, on_curve
+from rotsolve.confirm.lines import bent, circle_of, left_from, on_curve, onward
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Pair, Pose, Way
 from rotsolve.confirm.sides import from_middle
-from rotsolve.confirm.signs import round_way
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Touch
@@ -159,15 +158,12 @@ class Node:
 
     def line(self, name: str) -> Way | None:
         """The positive direction of a body's travel just now: along its line, or along the circle on which it goes."""
-        found = bent(name, self.model)
-        if found is None:
+        if bent(name, self.model) is None:
             way = self.model.way(name)
             if way is not None and self.off_centre(name):
                 raise NotConfirmed(f"whether the velocity of `{name}` is that of its centre or of its centre of mass")
             return None if way is not None and self.turns_with(name) else way
-        x, y = (part.value for part in self.pose.place(name, (0.0, 0.0)))
-        size, sign = math.hypot(x, y), round_way(found[1], self.model.body(name).moves)
-        return (-y * sign / size, x * sign / size)
+        return onward(name, self.pose, self.model)
 
     def off_centre(self, name: str) -> bool:
         """Whether a body turns whose centre of mass is off its centre, so that both go differently."""

@@ -171,7 +171,7 @@ class Rivals:
         if not sought.may_be(value, sized=sized) or not self.fits(sought.numbers(value)):
             return False
         holds = self.judge(sought.find, {"": value}, sought.numbers(value)).holds is True
-        return holds and not self.later(sought, value)
+        return holds and not self.later(sought, value) and not self.unstable(sought, value)
 
     def later(self, sought: SoughtLetter, value: float) -> bool:
         """Whether another value is a place to which the same motion comes later: a state is the first time at which its lines hold."""
@@ -184,6 +184,24 @@ class Rivals:
         except (NotConfirmed, ArithmeticError, ValueError):
             return False
         return other > own
+
+    def unstable(self, sought: SoughtLetter, value: float) -> bool:
+        """Whether another value is a place at which what stands steadily does not stay, while it does at the answer."""
+        if not stands_at(self.problem, sought.given.name):
+            return False
+        steady = [state.name for state in self.problem.states if state.steady]
+        said = sought.said
+        return any(self.bend(sought, said, name) < 0.0 < self.bend(sought, value, name) for name in steady)
+
+    def bend(self, sought: SoughtLetter, value: float, state: str) -> float:
+        """How fast what pushes grows with the place at a state; 0 where nothing tells."""
+        from rotsolve.confirm.course.swings import Small
+
+        try:
+            small = Small(Course(self.problem, sought.numbers(value), self.budget).node(state), "")
+            return small.slope(small.first.placed.q[small.index])
+        except (NotConfirmed, ArithmeticError, ValueError):
+            return 0.0
 
     def numbers_of(self, sought: SoughtLetter) -> str:
         """With which numbers of the open letters."""

@@ -19,10 +19,15 @@ FIXED = 1e-6  # share of a step by which nothing moves that is told
 STILL, DONE = 1e-5, 1e-10  # accelerations that are none, as shares of g: at first, and where a step may end
 
 
+class Adrift(NotConfirmed):
+    """What is said to be in balance is pushed as much wherever it gets to."""
+
+
 def settled(at: Node) -> Node | None:
     """The instant at which nothing pushes any more, by steps q̈ s with the s of Barzilai and Borwein; the same where nothing pushes now.
 
-    A stable place: from an unstable one the way leads off. None where what is told lets nothing move; NotConfirmed where there is no end.
+    A stable place: from an unstable one the way leads off. None where what is told lets nothing move; Adrift where what pushes never
+    changes, NotConfirmed where there is no end.
     """
     try:
         push = at.pushes
@@ -47,7 +52,7 @@ def settled(at: Node) -> Node | None:
             return at
         alike = alike + 1 if largest(change) <= SAME * largest(push) else 0
         if alike == ALIKE:
-            break
+            raise Adrift(f"`{at.model.acting.state.name}` is not in balance as it stands")
         back = -sum(a * b for a, b in zip(way, change, strict=True))
         step = sum(part * part for part in way) / back if back > 0 else 2 * step
     raise NotConfirmed(f"nothing tells where it is in balance at `{at.model.acting.state.name}`")

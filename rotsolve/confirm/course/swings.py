@@ -74,10 +74,20 @@ class Neighbourhood:
         rows, grips = split(held_by(self.model, pose))
         return [(row.slope, row.gap) for row in (*rows, *(grip.row for grip in grips))]
 
-    def free(self) -> list[int]:
-        """Coordinates that can be told independently: turns first, then ways."""
+    def beside(self, owner: str) -> list[str]:
+        """The bodies that are tied to one, or pulled by the same springs and wires; all where none is named."""
+        names = list(self.model.seats)
+        found, more = {owner} if owner else set(names), True
+        groups = [{ref.owner for ref in item.touches() if ref.owner in names} for item in self.model.acting.connections]
+        while more:
+            wider = found.union(*(group for group in groups if group & found))
+            more, found = wider != found, wider
+        return [name for name in names if name in found]
+
+    def free(self, owner: str = "") -> list[int]:
+        """Coordinates that can be told independently, of the bodies beside one: turns first, then ways."""
         rows = [slope for slope, _ in self.rows(self.first.placed.q)]
-        wanted = [seat.first + k for k in (2, 0, 1) for seat in self.model.seats.values()]
+        wanted = [self.model.seats[name].first + k for k in (2, 0, 1) for name in self.beside(owner)]
         found: list[int] = []
         for index in wanted:
             fixed = [*rows, *({other: 1.0} for other in found)]
@@ -120,29 +130,20 @@ def weighed(masses: Sequence[float], one: Sequence[float], other: Sequence[float
 
 
 class Small(Neighbourhood):
-    """Small swings of the bodies that move with one: their coordinate s is the first of that body that can change."""
+    """Small swings of the bodies that move with one: their coordinate s is the only one that is free."""
 
     def __init__(self, first: Node, owner: str) -> None:
         super().__init__(first)
         self.index = self.free_index(owner)
 
     def free_index(self, owner: str) -> int:
-        """The coordinate that swings: of the body that is named, else of the only one that nothing holds."""
-        if not owner:
-            free = self.free()
-            if len(free) > 1:
-                raise SeveralWays("more than one body may swing")
-            if not free:
-                raise NotConfirmed("nothing of it can swing")
-            return free[0]
-        rows = self.rows(self.first.placed.q)
-        found = solved([slope for slope, _ in rows], [0.0] * len(rows), self.model.size)
-        loose = [index for index in sorted(found.open) if self.model.masses[index]]
-        places = [self.model.seats[owner].first + k for k in (2, 0, 1)]
-        own = [index for index in places if index in loose]
-        if not own:
+        """The coordinate that swings: the only one that nothing holds, of what moves with the body that is named if one is."""
+        free = self.free(owner)
+        if len(free) > 1:
+            raise SeveralWays("more than one body may swing")
+        if not free:
             raise NotConfirmed("nothing of it can swing")
-        return own[0]
+        return free[0]
 
     def push(self, value: float, rate: float = 0.0) -> float:
         """The second rate of the coordinate at a place and a rate."""

@@ -135,10 +135,10 @@ class Laid(Connection, frozen=True):
             return Spot(*round_spot(mass, Face(*face), instant))
         found = self.along(mass, body, instant)
         if found is None:
-            message = (
-                f"how `{body.name}`, a {shape.word}, rubs on `{self.contact[1].owner}` about that axis is not solved"
-            )
-            help = "solved are round bodies about their centres, rods and particles; a torque may be told as `friction_torque`"
+            host = instant.host(ref.owner)
+            joined = f"joined to `{host}`" if host != ref.owner else f"a {shape.word}"
+            message = f"how `{body.name}`, {joined}, rubs on `{self.contact[1].owner}` about that axis is not solved"
+            help = "solved are round bodies about their centres, rods by themselves, particles; a torque may be told as `friction_torque`"
             raise Unsolvable(message, span=ref.span, help=help)
         return found
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
 from rotsolve.core.limits import Limit
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
@@ -75,10 +76,15 @@ class Rod(Shape, frozen=True):
         return (self.locate("start"), self.locate("end"))
 
     def locate(self, point: str, argument: Formula | None = None) -> Place:
-        half = self.extent() / 2
+        half = halved(self.extent())
         if point == "at" and argument is not None:
             return (argument - half, ZERO)
         return ({"start": -half, "end": half}.get(point, ZERO), ZERO)
+
+
+def halved(whole: Formula) -> Formula:
+    """L/2 as it is, and of 2 a just a."""
+    return min((whole / 2, simplify(whole / 2)), key=length)
 
 
 class Rope(Shape, frozen=True):
