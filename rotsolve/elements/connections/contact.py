@@ -80,7 +80,7 @@ class Contact(Touch, frozen=True):
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """Between two wheels on fixed axles it is their rims that rub."""
-        if self.contact[1].owner not in held:
+        if self.contact[1].owner not in held or (self.contact[0].owner not in held and self.press is None):
             return self
         if len(self.contact) > 2:
             message = f"two wheels rub on each other in a contact, and `{self.name}` names {len(self.contact)} bodies"

@@ -94,7 +94,7 @@ class Touch(Connection, frozen=True):
     def check(self, scene: Surroundings) -> None:
         """A body on a surface or on a body that travels, or two wheels side by side."""
         ref, under = self.pair()[:2]
-        if under.owner in scene.bodies and (ref.owner in scene.held or under.owner in scene.held or self.pressed):
+        if under.owner in scene.bodies and (ref.owner in scene.held or self.pressed):
             for wheel in self.pair():
                 check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
             if not self.side_by_side:
@@ -148,13 +148,17 @@ class Touch(Connection, frozen=True):
         return False
 
     def check_carrier(self, scene: Surroundings) -> None:
-        """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
+        """What carries another body travels along a flat surface, or along the line that it `moves`, and turns only if it is a roller."""
         ref, under = self.pair()[:2]
         carrier = scene.bodies[under.owner]
         flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)}
         laid = (item for item in scene.problem.connections if item.lying() == carrier.name and item is not self)
         on_flat = any(item.places()[0].owner in (*flat, *scene.bodies) for item in laid)
-        if carrier.turns is not None or rim_radius(carrier, None) is not None or len(self.pair()) > 2:
+        if rim_radius(carrier, under.point) is not None:
+            from rotsolve.elements.connections.borne import check_borne
+
+            return check_borne(self, scene)
+        if carrier.turns is not None or under.owner in scene.held or len(self.pair()) > 2:
             raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
         if not carrier.parts and not shape_of(carrier).backed:
             message = f"`{ref.owner}` on `{carrier.name}`, a {shape_of(carrier).word}: on which side it lies is not solved yet"
@@ -468,12 +472,17 @@ class Touch(Connection, frozen=True):
         return None if base is None else base - self.touching_arm(instant).along(way)
 
     def ground(self, instant: Moment) -> tuple[Vector, Vector]:
-        """Velocity and acceleration of what it lies on."""
+        """Velocity and acceleration of what it lies on, where they touch."""
         carrier = self.carrier(instant.configuration)
         if not carrier:
             return NOWHERE, NOWHERE
-        motion = instant.motion(carrier)
-        return motion.velocity, motion.acceleration
+        motion, arm = instant.motion(carrier), self.underneath(instant)
+        return motion.velocity_of(arm), motion.acceleration_of(arm)
+
+    def underneath(self, instant: Moment) -> Vector:
+        """From the reference of the body that carries it to where they touch: on the rim of a roller, nowhere on a back that does not turn."""
+        surface = self.surface(instant.configuration, instant.state)
+        return NOWHERE if surface is None else contact_arm(self.places()[0], self.normal(surface, instant).turned(180), instant)
 
     def grip_rule(self, instant: Moment) -> Rule | None:
         """No slip at this moment, for a state that says `rolls` or `sticks`."""
@@ -536,7 +545,8 @@ class Touch(Connection, frozen=True):
         carrier = self.carrier(instant.configuration)
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
-            yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place, part=carrier)
+            arm = self.underneath(instant)
+            yield replace(force, body=host, direction=back, arm=arm, noun=noun, way=way, place=place, part=carrier)
 
 
 def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
