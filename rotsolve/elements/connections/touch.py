@@ -158,6 +158,12 @@ class Touch(Connection, frozen=True):
             from rotsolve.elements.connections.borne import check_borne
 
             return check_borne(self, scene)
+        beside = [item.places()[0] for item in scene.problem.connections if item.lying() == ref.owner and item is not self]
+        bed = next((place for place in beside if place.owner in flat), None)
+        if bed is not None:
+            message = f"`{ref.owner}` lies on `{bed.owner}` as well as on `{carrier.name}`: which of them is on top is not told"
+            help = f"`contact: [{carrier.name}, {ref.owner}], friction: any` is a plank that lies on a roller"
+            raise Unsolvable(message, span=under.span, help=help)
         if carrier.turns is not None or under.owner in scene.held or len(self.pair()) > 2:
             raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
         if not carrier.parts and not shape_of(carrier).backed:
