@@ -16,6 +16,7 @@ from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body
 from rotsolve.language.elements import Connection
 
+PLANK = 1.5, 0.12  # of what lies on several bodies: width for each of them, and height, in the largest size
 BLOCK, CARRIER = (
     (1.0, 0.78),
     (3.6, 0.42),
@@ -149,6 +150,9 @@ def plain_outline(
         return (disc(radius),), False
     if name in model.held:
         return (plate(body, value, sizes),), False
+    below = [item.pair()[1].owner for item in kinds.contacts if item.lying() == name]
+    if sum(other in model.seats for other in below) > 1:
+        return (box(PLANK[0] * len(below) * sizes.whole, PLANK[1] * sizes.whole),), True
     if any(item.pair()[1].owner == name for item in kinds.contacts):
         return (box(CARRIER[0] * sizes.block, CARRIER[1] * sizes.block),), True
     if is_block(body, holding, [item for item in kinds.strings if item in holding]):

@@ -20,6 +20,7 @@ AHEAD, BELOW = (
     2.0,
     1.3,
 )  # of what a body will touch: how far an edge is on its way, how low a level is, in its half size
+SPREAD, APART = 1.2, 1.3  # of rollers under a plank: how far the outer ones are apart, in its half length, and at least, in their radii
 ONWARD, LOWER = 2.6, 0.6  # of a loop from where a track begins, in its radius
 
 
@@ -27,7 +28,7 @@ def lay(item: Touch, stage: PlaneStage) -> None:
     """A body on what it touches."""
     ref, under = item.pair()[:2]
     surface = surface_of(item, stage.model)
-    if under.owner in stage.bodies and (ref.owner in stage.model.held or under.owner in stage.model.held):
+    if under.owner in stage.bodies and ref.owner in stage.model.held:
         stage.wheels.append((ref, under))
     elif surface is not None and surface.curved:
         lay_round(item, surface, stage)
@@ -47,9 +48,19 @@ def lay_flat(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     if under.owner in stage.bodies:
         back, gap = stage.bodies[under.owner].reach(out), gap_between_places(stage.origin(under.owner), low)
         stage.layout.equal(part_along(gap, out), back + down)
-        stage.layout.equal(part_along(gap, turned(out)), 0.0, FAINT)
+        stage.layout.equal(part_along(gap, turned(out)), beside_others(item, out, stage), FAINT)
         return
     stage.layout.equal(part_along(low, out).plus(level_of(surface, stage), -1.0), down)
+
+
+def beside_others(item: Touch, out: Point, stage: PlaneStage) -> float:
+    """How far from the middle of what lies on several bodies one of them is: rollers stand apart, from left to right as they are named."""
+    ref, under = item.pair()[:2]
+    below = [other.pair()[1].owner for other in stage.kinds.contacts if other.lying() == ref.owner]
+    ahead = turned(out, -1)
+    wide = 2 * APART * stage.bodies[under.owner].reach(ahead)
+    step = max(SPREAD * stage.bodies[ref.owner].reach(ahead) / max(len(below) - 1, 1), wide)
+    return (below.index(under.owner) - (len(below) - 1) / 2) * step
 
 
 def set_on_its_bow(item: Touch, out: Point, stage: PlaneStage) -> None:
