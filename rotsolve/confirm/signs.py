@@ -57,14 +57,16 @@ def rests(item: Touch, model: Known) -> bool:
     """Whether a body lies or rolls there, and does not just lean on it with a point."""
     ref = item.pair()[0]
     body = model.body(ref.owner)
-    return (
+    return not item.leaning and (
         ref.point in (None, "bottom", "center", "cm") or on_rim(body, ref.point) or bool(model.rocking(body.name, item))
     )
 
 
 def surface_of(item: Touch, model: Known) -> Surface | None:
     """The surface on which a contact holds a body: of several the curved one where the state speaks of the contact's angle, or that it
-    leaves; the back of another body lies as what that lies on."""
+    leaves; the back of another body lies as what that lies on; of a rod that leans with its side none."""
+    if item.leaning:
+        return None
     under = item.pair()[1]
     if under.owner in model.acting.bodies:
         for other in model.acting.connections:

@@ -65,6 +65,12 @@ class Contact(Touch, frozen=True):
     def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
         """From above what lies on a level table rubs over its whole face, and a particle on what turns goes round with it."""
         own, under = self.contact[0].owner, self.contact[1].owner
+        if any(body.name == own and shape_of(body).slender for body in scene.bodies) and under not in level:
+            from rotsolve.elements.connections.leaning import leaning
+
+            leans = leaning(self, self.friction, scene) if self.press is None else None
+            if leans is not None:
+                return leans
         if scene.plane != "horizontal" or self.friction.kind == "none" or len(self.contact) > 2:
             return self
         bodies = {body.name: body for body in scene.bodies}

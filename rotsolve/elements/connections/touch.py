@@ -65,6 +65,7 @@ class Touch(Connection, frozen=True):
     )
     words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
     lays_first: ClassVar[bool] = True
+    leaning: ClassVar[bool] = False  # whether a rod leans there with its side, which alone tells which way it is pushed
     side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
     def pair(self) -> tuple[PointRef, ...]:
@@ -428,6 +429,10 @@ class Touch(Connection, frozen=True):
         surface = self.surface(instant.configuration, instant.state)
         return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
+    def ways_along(self, instant: Moment, name: str) -> tuple[str, str]:
+        """Words for the way along the surface that counts as positive, and for the other way."""
+        return travel_words(self.forward(instant), self.course(instant), instant, name)
+
     def rubs(self) -> bool:
         return self.grip().kind == "coefficient"
 
@@ -495,7 +500,7 @@ class Touch(Connection, frozen=True):
         ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         if surface is None:
             return None
-        name, arm = instant.host(ref.owner), contact_arm(ref, self.normal(surface, instant), instant)
+        name, arm = instant.host(ref.owner), self.touching_arm(instant)
         label = f"{spoken(name)} no longer slips"
         return self.no_slip(label, arm, self.forward(instant), instant, linear=False)
 
@@ -524,7 +529,7 @@ class Touch(Connection, frozen=True):
         if grip.kind == "none":
             return
         forward = self.forward(instant)
-        ahead, back = travel_words(forward, self.course(instant), instant, name)
+        ahead, back = self.ways_along(instant, name)
         span = instant.span(name)
         if mode.startswith("slips"):
             backward = mode.startswith("slips back")
