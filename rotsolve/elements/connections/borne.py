@@ -1,26 +1,78 @@
-"""Borne on what is round: a plank on rollers. Where it touches, a roller's rim goes as v_roller + ω × r, and the plank with it."""
+"""Borne on what is round: a plank on rollers, a ball on a drum or in it. Where they touch, the rim goes as v_centre + ω × r."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.facts import Rule, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, shape_of
-from rotsolve.language.bodies import PointRef
-from rotsolve.language.elements import Connection, Surroundings
+from rotsolve.elements.surfaces import Curved, Dome, Hollow
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection, Moment, Surroundings
 
 if TYPE_CHECKING:
     from rotsolve.elements.connections.touch import Touch
 
+HOLLOW = ("ring", "cylindrical shell", "spherical shell", "annulus")  # on which or in which something may lie
 MIDDLE = (None, "center", "cm")
 
 
+def goes_round(item: Touch, bodies: Mapping[str, Body]) -> Curved | None:
+    """The round body that a ball or a particle goes round, as a dome or a hollow of its radius."""
+    own, under = item.pair()[:2]
+    body, carrier = bodies.get(own.owner), bodies.get(under.owner)
+    if body is None or carrier is None or (rim := carrying_rim(item, carrier)) is None:
+        return None
+    particle = body.shape is not None and shape_of(body).pointlike
+    if not particle and rim_radius(body, own.point) is None:
+        return None
+    return Hollow(under.owner, rim) if item.on_inside() else Dome(under.owner, rim)
+
+
+def carrying_rim(item: Touch, carrier: Body) -> Formula | None:
+    """The radius at which a round body carries something: of a thick-walled one its inner one where that lies inside."""
+    point = item.pair()[1].point
+    inner = "inner" if item.on_inside() and point is None and "inner" in rims(carrier) else point
+    return rim_radius(carrier, inner)
+
+
+def fixed_axle(name: str, scene: Surroundings) -> bool:
+    """Whether a body turns on a fixed axle through its centre."""
+    held = [ref for item in scene.problem.connections for ref in item.fixed_points() if ref.owner == name]
+    return any(ref.point in MIDDLE for ref in held)
+
+
+def check_round(item: Touch, surface: Curved, scene: Surroundings) -> None:
+    """What goes round a body that turns on a fixed axle, or that rolls on a flat surface."""
+    ref, under = item.pair()[:2]
+    carrier = scene.bodies[under.owner]
+    if item.on_inside() is None and shape_of(carrier).word in HOLLOW:
+        message = f"whether `{ref.owner}` lies in `{under.owner}` or on it is not told"
+        raise Unsolvable(message, span=under.span, help=f"`inside: true`, or `inside: false`, at `{item.name}`")
+    if under.owner in scene.held and not fixed_axle(under.owner, scene):
+        message = f"`{ref.owner}` on `{under.owner}`, which turns about another point than its centre, is not solved yet"
+        raise Unsolvable(message, span=under.span, help="solved is an axle through its centre")
+    if carrier.parts or carrier.holes:
+        message = f"`{ref.owner}` on `{under.owner}`, which is put together of parts, is not solved yet"
+        raise Unsolvable(message, span=under.span, help="solved are uniform round bodies")
+    item.check_curved(surface, scene)
+
+
 def check_borne(item: Touch, scene: Surroundings) -> None:
-    """A plank that stays parallel to what its rollers roll on, or level on rollers that turn on fixed axles."""
+    """A plank that stays parallel to what its rollers roll on, or level on rollers that turn on fixed axles; or what goes round a body."""
     ref, under = item.pair()[:2]
     plank, roller = scene.bodies[ref.owner], scene.bodies[under.owner]
+    surface = goes_round(item, scene.bodies)
+    if surface is not None and scene.problem.plane != "horizontal" and len(item.pair()) == 2:
+        return check_round(item, surface, scene)
+    if item.on_inside():
+        raise Unsolvable(f"nothing tells how `{ref.owner}` lies in `{under.owner}`", span=ref.span, help="what lies inside is round, or a particle")
     if scene.problem.plane == "horizontal" or len(item.pair()) > 2 or under.point not in (*MIDDLE, "rim", *rims(roller)):
         raise Unsolvable(f"`{ref.owner}` on `{under.owner}`, which turns, is not solved yet", span=under.span)
     if rim_radius(plank, ref.point) is not None or bow_of(plank, ref.point) is not None or plank.turns is not None:
@@ -54,10 +106,8 @@ def check_rollers(item: Touch, laid: list[Connection], scene: Surroundings) -> N
 
 def bed_of(roller: PointRef, scene: Surroundings) -> str:
     """The one flat surface, or body, on which a roller rolls; '' of one on a fixed axle through its centre."""
-    for item in scene.problem.connections:
-        for ref in item.fixed_points():
-            if ref.owner == roller.owner and ref.point in MIDDLE:
-                return ""
+    if fixed_axle(roller.owner, scene):
+        return ""
     beds = [item.places()[0] for item in laid_on(roller.owner, scene)]
     flat = [bed for bed in beds if bed.owner not in scene.surfaces or not (bent(bed.owner, scene))]
     if len(beds) != 1 or not flat:
@@ -74,3 +124,23 @@ def bent(name: str, scene: Surroundings) -> bool:
 def laid_on(name: str, scene: Surroundings) -> list[Connection]:
     """The contacts by which a body lies on something."""
     return [item for item in scene.problem.connections if item.lying() == name]
+
+
+def round_a_centre(rule: Rule, item: Touch, surface: Curved, instant: Moment) -> Rule:
+    """Of what goes round the centre of a body that travels: (a − a_O) · n = ∓ v²/r, v across n as seen from that centre."""
+    name, circle = instant.host(item.lying()), circle_of(item, surface, instant)
+    own, below = instant.motion(name), instant.motion(item.pair()[1].owner)
+    facing = item.normal(surface, instant)
+    centre = instant.hub(PointRef(item.pair()[1].owner))
+    passing = (own.velocity - below.velocity_of(centre)).along(facing.turned(-90))
+    inward = square(passing) / circle
+    left, _ = rule.acceleration or (ZERO, ZERO)
+    right = below.acceleration_of(centre).along(facing) + (negate(inward) if surface.outside else inward)
+    velocity = own.velocity.along(facing), below.velocity_of(centre).along(facing)
+    return replace(rule, velocity=velocity, acceleration=(left, right))
+
+
+def circle_of(item: Touch, surface: Curved, instant: Moment) -> Formula:
+    """The radius of the circle on which the centre of what lies on a round body goes."""
+    ref = item.pair()[0]
+    return surface.circle(rim_radius(instant.body(ref.owner), ref.point) or ZERO) or ZERO

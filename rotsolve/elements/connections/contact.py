@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
+from typing import Any
 
 from msgspec.structs import replace
 
@@ -18,6 +19,12 @@ from rotsolve.elements.shapes import rim_radius, shape_of, touching_radius
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, SceneElements, Surroundings
 from rotsolve.language.keys import amount, key
+
+
+def inner_side() -> Any:
+    """The key of the side of a round body on which something lies."""
+    words = "of what lies on a round body: whether it is inside that, as in a drum, and not on it"
+    return key("flag", words, default=None, plane=True)
 
 
 class Contact(Touch, frozen=True):
@@ -38,6 +45,8 @@ class Contact(Touch, frozen=True):
         "force that presses two wheels together at their rims", "force", "F", "positive", default=None, plane=True
     )
 
+    inside: bool | None = inner_side()
+
     spatial = True
     quantities = (*Touch.quantities, "freedoms")
 
@@ -50,6 +59,9 @@ class Contact(Touch, frozen=True):
 
     def grip(self) -> Friction:
         return self.friction
+
+    def on_inside(self) -> bool | None:
+        return self.inside
 
     @property
     def pressed(self) -> bool:
@@ -108,8 +120,12 @@ class Rolls(Touch, frozen=True):
         default=None,
         plane=True,
     )
+    inside: bool | None = inner_side()
 
     spatial = True
+
+    def on_inside(self) -> bool | None:
+        return self.inside
 
     def brakes(self) -> tuple[PointRef, ...]:
         return self.rolls[:1] if self.rolling_friction is not None else ()

@@ -29,6 +29,7 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.borne import check_borne, goes_round, round_a_centre
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
@@ -156,8 +157,6 @@ class Touch(Connection, frozen=True):
         laid = (item for item in scene.problem.connections if item.lying() == carrier.name and item is not self)
         on_flat = any(item.places()[0].owner in (*flat, *scene.bodies) for item in laid)
         if rim_radius(carrier, under.point) is not None:
-            from rotsolve.elements.connections.borne import check_borne
-
             return check_borne(self, scene)
         beside = [item.places()[0] for item in scene.problem.connections if item.lying() == ref.owner and item is not self]
         bed = next((place for place in beside if place.owner in flat), None)
@@ -272,6 +271,8 @@ class Touch(Connection, frozen=True):
         another body lies as that on which it travels."""
         carrier = self.carrier(configuration)
         if carrier:
+            if (bent := goes_round(self, configuration.bodies)) is not None:
+                return bent
             below = supporting(carrier, configuration, state)
             return replace(below, name=carrier) if below is not None else Level(carrier)
         found = [surface for ref in self.places() if (surface := configuration.surfaces.get(ref.owner)) is not None]
@@ -297,13 +298,22 @@ class Touch(Connection, frozen=True):
     def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
         surface = self.surface(configuration, state)
-        if not isinstance(surface, Curved) or not self.rests(body):
+        if not isinstance(surface, Curved) or not self.rests(body) or self.travels(configuration, state):
             return None
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
         way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
         turn = "forward along" if radius is None else "counterclockwise round" if way > 0 else "clockwise round"
         hollow = not (surface.outside or surface.two_sided)
         return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}", hollow)
+
+    def travels(self, configuration: Surroundings, state: str) -> bool:
+        """Whether a round body on which something lies travels, and does not only turn on a fixed axle."""
+        carrier = self.carrier(configuration)
+        return bool(carrier) and configuration.pivot(configuration.host(carrier, state), state) is None
+
+    def on_inside(self) -> bool | None:
+        """Whether it lies inside a round body; None where nothing tells."""
+        return None
 
     def touching_angle(self, instant: Moment) -> Formula:
         """For a wheel on the floor the place of a corner settles it."""
@@ -361,7 +371,8 @@ class Touch(Connection, frozen=True):
             label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
-            yield self.no_slip(label, point, facing, instant, linear=False)
+            rule = self.no_slip(label, point, facing, instant, linear=False)
+            yield round_a_centre(rule, self, surface, instant) if isinstance(surface, Curved) else rule
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
     def told_apart(self, instant: Moment) -> str:
@@ -492,8 +503,14 @@ class Touch(Connection, frozen=True):
 
     def underneath(self, instant: Moment) -> Vector:
         """From the reference of the body that carries it to where they touch: on the rim of a roller, nowhere on a back that does not turn."""
-        surface = self.surface(instant.configuration, instant.state)
-        return NOWHERE if surface is None else contact_arm(self.places()[0], self.normal(surface, instant).turned(180), instant)
+        surface, under = self.surface(instant.configuration, instant.state), self.places()[0]
+        if surface is None:
+            return NOWHERE
+        facing = self.normal(surface, instant)
+        if isinstance(surface, Curved):
+            out = facing if surface.outside else facing.turned(180)
+            return instant.hub(PointRef(under.owner)) + vector(surface.radius() or ZERO, out)
+        return contact_arm(under, facing.turned(180), instant)
 
     def grip_rule(self, instant: Moment) -> Rule | None:
         """No slip at this moment, for a state that says `rolls` or `sticks`."""
