@@ -12,6 +12,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, part_of, radius_of
 from rotsolve.confirm.jet import Jet, arctangent, distance
+from rotsolve.confirm.lines import from_middle
 from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
@@ -255,7 +256,7 @@ def friction(item: Touch, slip: Jet, pose: Pose, model: Known) -> Held:
 
 
 def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
-    """The centre of a body stays on a circle round that of a curved surface, which is taken as the origin."""
+    """The centre of a body stays on a circle round that of a curved surface, which is taken as the origin, or of a round body."""
     size = surface.radius()
     if size is None:
         raise NotConfirmed(f"`{surface.name}` is a track whose form is not known")
@@ -267,10 +268,12 @@ def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
         else 0.0
     )
     circle = model.value(size) + (rim if outside else -rim)
-    x, y = pose.place(ref.owner, (0.0, 0.0))
+    x, y = from_middle(item, pose, model)
     away = distance(x, y) - circle
     yield held(item.name, "normal", away if outside else -away, pose, hard=True, push=not surface.two_sided)
     slip = pose.turn(ref.owner) * rim + arctangent(y, x) * (-circle if outside else circle)
+    if item.pair()[1].owner in model.seats:  # the rim goes along
+        slip = slip + pose.turn(item.pair()[1].owner) * (model.value(size) if outside else -model.value(size))
     yield from friction(item, slip, pose, model)
 
 

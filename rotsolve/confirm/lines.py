@@ -13,7 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
-from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
+from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under, travels
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
@@ -150,7 +150,7 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
     if isinstance(contact, Touch) and path.quantity == "angle":
         surface = surface_of(contact, model)
         if isinstance(surface, Curved):
-            x, y = pose.place(contact.lying(), (0.0, 0.0))
+            x, y = from_middle(contact, pose, model)
             return arctangent(y, x)
     if path.quantity == "angle" and (wound := wound_by(path.owner, model)):
         return twist(wound, pose, model)
@@ -204,9 +204,19 @@ def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name:
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and surface.radius() is not None:
+            if isinstance(surface, Curved) and surface.radius() is not None and not travels(item, model):
                 return item, surface
     return None
+
+
+def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
+    """Where the centre of a body is, as seen from the middle of the curved surface on which it lies."""
+    x, y = pose.place(item.lying(), (0.0, 0.0))
+    under = item.pair()[1].owner
+    if under not in model.seats:
+        return x, y
+    u, w = pose.place(under, model.spot(PointRef(under)))
+    return x - u, y - w
 
 
 def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:

@@ -14,7 +14,8 @@ from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.surfaces import Curved, Level, Slope, Wall
+from rotsolve.elements.shapes import rim_radius, rims
+from rotsolve.elements.surfaces import Curved, Dome, Hollow, Level, Slope, Wall
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Connection
 
@@ -69,6 +70,8 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
         return None
     under = item.pair()[1]
     if under.owner in model.acting.bodies:
+        if (bent := rim_under(item, model)) is not None:
+            return bent
         for other in model.acting.connections:
             if isinstance(other, Touch) and other.lying() == under.owner and other is not item:
                 return surface_of(other, model)
@@ -81,6 +84,23 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
             (surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None), None
         )
     return found[0] if found else Level("ground")
+
+
+def rim_under(item: Touch, model: Known) -> Curved | None:
+    """The rim of a round body on which, or in which, a ball or a particle lies; None where nothing round does."""
+    own, under = item.pair()[:2]
+    body, carrier, inside = model.body(own.owner), model.body(under.owner), bool(item.on_inside())
+    if not (is_round(carrier) and (is_round(body) or (body.shape is not None and body.shape.pointlike))):
+        return None
+    inner = [radius for name, radius in rims(carrier).items() if name == "inner" and inside and under.point is None]
+    radius = inner[0] if inner else rim_radius(carrier, under.point)
+    return Hollow(under.owner, radius) if inside else Dome(under.owner, radius)
+
+
+def travels(item: Touch, model: Known) -> bool:
+    """Whether a contact is with a round body that no fixed axle holds."""
+    under = item.pair()[1].owner
+    return under in model.seats and under not in model.held
 
 
 def grounded(model: Known) -> dict[str, tuple[str, PointRef]]:

@@ -134,6 +134,7 @@ class Corner(Curved, frozen=True):
 class Hollow(Curved, frozen=True):
     word = "hollow"
     away = "towards the centre"
+    into = "away from the centre"
     about = "the inside of a round bowl or loop"
     outside = False
     hollow: Formula | None = amount("radius", "length", "R", "positive", required=True)
@@ -158,6 +159,7 @@ class Wire(Curved, frozen=True):
 class Dome(Curved, frozen=True):
     word = "dome"
     away = "outward"
+    into = "towards the centre"
     about = "the outside of a round hill"
     dome: Formula | None = amount("radius", "length", "R", "positive", required=True)
 

@@ -10,7 +10,7 @@ from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.bodies import is_round
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, moment
 from rotsolve.confirm.jet import Jet, Slope
-from rotsolve.confirm.lines import bent, circle_of, left_from
+from rotsolve.confirm.lines import bent, circle_of, from_middle, left_from
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Pair, Pose, Way
 from rotsolve.confirm.signs import round_way
@@ -210,7 +210,7 @@ class Node:
         return self.pose.turn(name).value + self.model.lean(name)
 
     def touching_angle(self, item: Touch) -> float:
-        x, y = (part.value for part in self.pose.place(item.lying(), (0.0, 0.0)))
+        x, y = (part.value for part in from_middle(item, self.pose, self.model))
         return math.atan2(y, x)
 
     def height(self, name: str) -> float:
