@@ -11,10 +11,11 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import Rule, square
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.heading import Heading, heading
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, shape_of
 from rotsolve.elements.surfaces import Curved, Dome, Hollow
 from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Connection, Moment, Surroundings
+from rotsolve.language.elements import Connection, Moment, PlaceOf, Surroundings
 
 if TYPE_CHECKING:
     from rotsolve.elements.connections.touch import Touch
@@ -55,6 +56,9 @@ def check_round(item: Touch, surface: Curved, scene: Surroundings) -> None:
     if item.on_inside() is None and shape_of(carrier).word in HOLLOW:
         message = f"whether `{ref.owner}` lies in `{under.owner}` or on it is not told"
         raise Unsolvable(message, span=under.span, help=f"`inside: true`, or `inside: false`, at `{item.name}`")
+    if item.on_inside() and shape_of(carrier).word not in HOLLOW and carrier.shape is not None:
+        message = f"`{ref.owner}` can not lie in `{under.owner}`, a {shape_of(carrier).word}"
+        raise Unsolvable(message, span=under.span, help="what is hollow is a `ring` or a `cylindrical shell`")
     if under.owner in scene.held and not fixed_axle(under.owner, scene):
         message = f"`{ref.owner}` on `{under.owner}`, which turns about another point than its centre, is not solved yet"
         raise Unsolvable(message, span=under.span, help="solved is an axle through its centre")
@@ -81,7 +85,7 @@ def check_borne(item: Touch, scene: Surroundings) -> None:
     laid = laid_on(ref.owner, scene)
     told = plank.parts or (plank.shape is not None and shape_of(plank).backed and not shape_of(plank).pointlike)
     if ref.point is not None or not (told or len(laid) > 1):
-        help = f"give a plank that lies flat on it `shape: rectangle` and its `sides`, and name it alone: `{ref.owner}`"
+        help = f"a plank that lies flat on it has `shape: rectangle` and its `sides`, and is named alone, `{ref.owner}`; what goes round it has `shape: particle`"
         message = f"how `{ref.owner}` lies on `{under.owner}`, which is round, nothing tells"
         raise Unsolvable(message, span=ref.span, help=help)
     check_rollers(item, laid, scene)
@@ -138,6 +142,15 @@ def round_a_centre(rule: Rule, item: Touch, surface: Curved, instant: Moment) ->
     right = below.acceleration_of(centre).along(facing) + (negate(inward) if surface.outside else inward)
     velocity = own.velocity.along(facing), below.velocity_of(centre).along(facing)
     return replace(rule, velocity=velocity, acceleration=(left, right))
+
+
+def place_round(item: Touch, surface: Curved, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
+    """Of what goes round a body that travels: from where the centre of that is, r along the touching radius."""
+    if not item.travels(instant.configuration, instant.state):
+        return None
+    base = place_of(PointRef(item.pair()[1].owner, "center"))
+    out = heading(item.touching_angle(instant))
+    return None if base is None else base + circle_of(item, surface, instant) * (out - way).cos()
 
 
 def circle_of(item: Touch, surface: Curved, instant: Moment) -> Formula:

@@ -29,7 +29,7 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.borne import check_borne, goes_round, round_a_centre
+from rotsolve.elements.connections.borne import check_borne, goes_round, place_round, round_a_centre
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
@@ -243,6 +243,9 @@ class Touch(Connection, frozen=True):
         yield from self.grip().rooms(self.name)
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         rim = rim_radius(body, ref.point) if body is not None else None
+        bent = goes_round(self, scene.bodies)
+        if bent is not None:
+            yield from bent.rooms(self.lying(), rim or ZERO, False)
         surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
         for surface in surfaces if rim is not None else ():
             if isinstance(surface, Curved):
@@ -483,10 +486,12 @@ class Touch(Connection, frozen=True):
         return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
-        """Across a flat surface, of the body that touches it; on the back of another body, from where that is."""
+        """Across a flat surface, of the body that touches it; on another body, from where that is."""
         surface = self.surface(instant.configuration, instant.state)
-        if surface is None or isinstance(surface, Curved) or instant.host(self.lying()) != name:
+        if surface is None or instant.host(self.lying()) != name:
             return None
+        if isinstance(surface, Curved):
+            return place_round(self, surface, way, instant, place_of)
         if (surface.normal - way).sin() != ZERO:
             return None
         carrier = self.carrier(instant.configuration)
