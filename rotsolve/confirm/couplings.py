@@ -17,7 +17,7 @@ from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.constraints import Held, place_of, prescribed
 from rotsolve.confirm.faces import laid, plates
 from rotsolve.confirm.jet import Jet, arctangent, cosine, distance, sine
-from rotsolve.confirm.leaning import leans
+from rotsolve.confirm.leaning import leaning_rows
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, Row, held, unknown
 from rotsolve.confirm.signs import RIGHT, UP, pointing
@@ -199,5 +199,5 @@ COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Drapes: draping,
     Shaft: whirling,
     PinSlot: slotted,
-    Leans: leans,
+    Leans: leaning_rows,
 }

@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
 
 
-def leans(item: Leans, pose: Pose, model: Known) -> Held:
+def leaning_rows(item: Leans, pose: Pose, model: Known) -> Held:
     """The line of a rod touches what it leans on, which pushes it away; friction acts along it, at the place where they touch."""
     own, under = item.contact
     turn, rigid = pose.turn(own.owner), model.seats[own.owner].rigid
     c, s = cosine(turn), sine(turn)
-    side = free_side(item, c.value, s.value, pose, model)
+    side = pushed_side(item, c.value, s.value, pose, model)
     middle, radius = middle_of(item, (-s.value * side, c.value * side), pose, model)
     place = pose.place(own.owner, rigid.centre)
     x, y = place[0] - middle[0], place[1] - middle[1]
@@ -35,7 +35,11 @@ def leans(item: Leans, pose: Pose, model: Known) -> Held:
         u, w = pose.place(own.owner, model.drawn(own))
         told = held(item.name, "along", (u - middle[0]) * c + (w - middle[1]) * s, pose, hard=True)
         yield replace(told, loose=True)
-    feet = [(other.touches()[0], other.places()[0].owner) for other in model.acting.connections if other.lying() == own.owner]
+    feet = [
+        (other.touches()[0], other.places()[0].owner)
+        for other in model.acting.connections
+        if other.lying() == own.owner
+    ]
     for foot, floor in feet:
         low = floor_of(item, floor, middle, radius, pose, model)
         if low is not None and foot.point in ("start", "end"):
@@ -58,7 +62,11 @@ def middle_of(item: Leans, out: Way, pose: Pose, model: Known) -> tuple[Pair, fl
     if under.owner not in model.seats:
         size = getattr(model.surfaces[under.owner], "radius", lambda: None)()
         radius = model.value(size) if size is not None else 0.0
-        others = (other for other in model.acting.connections if isinstance(other, Leans) and other.contact[0].owner == own.owner)
+        others = (
+            other
+            for other in model.acting.connections
+            if isinstance(other, Leans) and other.contact[0].owner == own.owner
+        )
         if own.point is None or next(others) is item:
             return (Jet(0.0), Jet(0.0)), radius
         x, y = pose.place(own.owner, model.drawn(own))
@@ -69,7 +77,7 @@ def middle_of(item: Leans, out: Way, pose: Pose, model: Known) -> tuple[Pair, fl
     return pose.place(under.owner, model.spot(PointRef(under.owner))), radius
 
 
-def free_side(item: Leans, c: float, s: float, pose: Pose, model: Known) -> float:
+def pushed_side(item: Leans, c: float, s: float, pose: Pose, model: Known) -> float:
     """+1 where the rod is pushed to the left of the way from its start to its end: away from the body behind an edge, else up."""
     under = item.contact[1]
     away = (0.0, 1.0)
@@ -77,7 +85,9 @@ def free_side(item: Leans, c: float, s: float, pose: Pose, model: Known) -> floa
     if isinstance(surface, Corner):
         away = (-1.0 if surface.side == "right" else 1.0, 1.0)
     elif under.owner in model.seats and shape_of(model.body(under.owner)).points[1:2] == ("corner1",):
-        (x, y), (u, w) = (pose.place(under.owner, spot) for spot in (model.drawn(under), model.seats[under.owner].rigid.centre))
+        (x, y), (u, w) = (
+            pose.place(under.owner, spot) for spot in (model.drawn(under), model.seats[under.owner].rigid.centre)
+        )
         away = x.value - u.value, y.value - w.value
     return -1.0 if away[1] * c - away[0] * s < 0.0 else 1.0
 

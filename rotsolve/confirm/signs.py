@@ -252,6 +252,8 @@ def sense(name: str, model: Known) -> int:
     for item in (*model.acting.connections, *late, *taken_from_under(model)):
         if isinstance(item, Touch) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
+            if isinstance(surface, Curved) and travels(item, model):
+                continue
             if isinstance(surface, Curved):
                 return round_way(surface, body.moves) * (1 if surface.outside else -1)
             if surface is not None and name not in model.held:

@@ -1,4 +1,4 @@
-"""Pressing: whether what only pushes on a body in balance pushes it, by that body's own balance: ΣF = 0 and Στ = 0, linear in the pushes."""
+"""Pressing: how hard a body in balance is pushed, by its own balance: ΣF = 0 and Στ = 0, which are linear in the pushes."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ def pushes_of(name: str, scene: SceneEquations, numbers: Numbers) -> Iterator[Fo
         letters = {letter for part in sums for letter in part.symbols()} - {name}
         open_ = sorted(letter for letter in letters if numbers.of(Symbol(letter)) is None)
         pushes = [force.size for force in body.forces if force.role.presses and isinstance(force.size, Symbol)]
-        found = told_by(sums, open_) if pushes else {}
+        found = pushes_told(sums, open_) if pushes else {}
         yield from (found[push.name] for push in pushes if push.name in found)
 
 
-def told_by(sums: list[Formula], letters: list[str]) -> dict[str, Formula]:
+def pushes_told(sums: list[Formula], letters: list[str]) -> dict[str, Formula]:
     """What as many equations as there are letters tell of these; the rest of the equations then tells the place."""
     for few in combinations(sums, len(letters)) if letters else ():
         try:

@@ -16,8 +16,8 @@ from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
 from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.confirm.rows import EDGE
-from rotsolve.core.symbols import PLACES
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
+from rotsolve.core.symbols import PLACES
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term
 

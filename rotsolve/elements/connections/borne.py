@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
@@ -11,6 +11,7 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import Rule, square
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import Heading, heading
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, shape_of
 from rotsolve.elements.surfaces import Curved, Dome, Hollow
@@ -24,7 +25,25 @@ HOLLOW = ("ring", "cylindrical shell", "spherical shell", "annulus")  # on which
 MIDDLE = (None, "center", "cm")
 
 
-def goes_round(item: Touch, bodies: Mapping[str, Body]) -> Curved | None:
+def check_on_top(item: Touch, scene: Surroundings) -> bool:
+    """Whether what carries a body is round, and may; refused is what lies on a floor and on another body that lies on nothing."""
+    ref, under = item.pair()[:2]
+    carrier = scene.bodies[under.owner]
+    if rim_radius(carrier, under.point) is not None:
+        check_borne(item, scene)
+        return True
+    beds = (other.places()[0] for other in laid_on(ref.owner, scene) if other is not item)
+    bed = next((place for place in beds if place.owner in scene.surfaces and not lies_uneven(place.owner, scene)), None)
+    if bed is not None:
+        message = (
+            f"`{ref.owner}` lies on `{bed.owner}` as well as on `{carrier.name}`: which of them is on top is not told"
+        )
+        help = f"`contact: [{carrier.name}, {ref.owner}], friction: any` is a plank that lies on a roller"
+        raise Unsolvable(message, span=under.span, help=help)
+    return False
+
+
+def rim_gone_round(item: Touch, bodies: Mapping[str, Body]) -> Curved | None:
     """The round body that a ball or a particle goes round, as a dome or a hollow of its radius."""
     own, under = item.pair()[:2]
     body, carrier = bodies.get(own.owner), bodies.get(under.owner)
@@ -49,7 +68,7 @@ def fixed_axle(name: str, scene: Surroundings) -> bool:
     return any(ref.point in MIDDLE for ref in held)
 
 
-def check_round(item: Touch, surface: Curved, scene: Surroundings) -> None:
+def check_on_rim(item: Touch, surface: Curved, scene: Surroundings) -> None:
     """What goes round a body that turns on a fixed axle, or that rolls on a flat surface."""
     ref, under = item.pair()[:2]
     carrier = scene.bodies[under.owner]
@@ -60,7 +79,9 @@ def check_round(item: Touch, surface: Curved, scene: Surroundings) -> None:
         message = f"`{ref.owner}` can not lie in `{under.owner}`, a {shape_of(carrier).word}"
         raise Unsolvable(message, span=under.span, help="what is hollow is a `ring` or a `cylindrical shell`")
     if under.owner in scene.held and not fixed_axle(under.owner, scene):
-        message = f"`{ref.owner}` on `{under.owner}`, which turns about another point than its centre, is not solved yet"
+        message = (
+            f"`{ref.owner}` on `{under.owner}`, which turns about another point than its centre, is not solved yet"
+        )
         raise Unsolvable(message, span=under.span, help="solved is an axle through its centre")
     if carrier.parts or carrier.holes:
         message = f"`{ref.owner}` on `{under.owner}`, which is put together of parts, is not solved yet"
@@ -72,12 +93,20 @@ def check_borne(item: Touch, scene: Surroundings) -> None:
     """A plank that stays parallel to what its rollers roll on, or level on rollers that turn on fixed axles; or what goes round a body."""
     ref, under = item.pair()[:2]
     plank, roller = scene.bodies[ref.owner], scene.bodies[under.owner]
-    surface = goes_round(item, scene.bodies)
+    surface = rim_gone_round(item, scene.bodies)
     if surface is not None and scene.problem.plane != "horizontal" and len(item.pair()) == 2:
-        return check_round(item, surface, scene)
+        return check_on_rim(item, surface, scene)
     if item.on_inside():
-        raise Unsolvable(f"nothing tells how `{ref.owner}` lies in `{under.owner}`", span=ref.span, help="what lies inside is round, or a particle")
-    if scene.problem.plane == "horizontal" or len(item.pair()) > 2 or under.point not in (*MIDDLE, "rim", *rims(roller)):
+        raise Unsolvable(
+            f"nothing tells how `{ref.owner}` lies in `{under.owner}`",
+            span=ref.span,
+            help="what lies inside is round, or a particle",
+        )
+    if (
+        scene.problem.plane == "horizontal"
+        or len(item.pair()) > 2
+        or under.point not in (*MIDDLE, "rim", *rims(roller))
+    ):
         raise Unsolvable(f"`{ref.owner}` on `{under.owner}`, which turns, is not solved yet", span=under.span)
     if rim_radius(plank, ref.point) is not None or bow_of(plank, ref.point) is not None or plank.turns is not None:
         help = f"solved is a plank that does not turn on `{under.owner}`, as a rectangle"
@@ -85,7 +114,7 @@ def check_borne(item: Touch, scene: Surroundings) -> None:
     laid = laid_on(ref.owner, scene)
     told = plank.parts or (plank.shape is not None and shape_of(plank).backed and not shape_of(plank).pointlike)
     if ref.point is not None or not (told or len(laid) > 1):
-        help = f"a plank that lies flat on it has `shape: rectangle` and its `sides`, and is named alone, `{ref.owner}`; what goes round it has `shape: particle`"
+        help = f"a plank on it has `shape: rectangle` and its `sides`, and is named alone, `{ref.owner}`; what goes round it has `shape: particle`"
         message = f"how `{ref.owner}` lies on `{under.owner}`, which is round, nothing tells"
         raise Unsolvable(message, span=ref.span, help=help)
     check_rollers(item, laid, scene)
@@ -113,14 +142,14 @@ def bed_of(roller: PointRef, scene: Surroundings) -> str:
     if fixed_axle(roller.owner, scene):
         return ""
     beds = [item.places()[0] for item in laid_on(roller.owner, scene)]
-    flat = [bed for bed in beds if bed.owner not in scene.surfaces or not (bent(bed.owner, scene))]
+    flat = [bed for bed in beds if bed.owner not in scene.surfaces or not (lies_uneven(bed.owner, scene))]
     if len(beds) != 1 or not flat:
         message = f"on what `{roller.owner}` rolls, on which something lies, has to be told by one contact with a floor, a slope or a plank"
         raise Unsolvable(message, span=roller.span, help=f"`rolls: [{roller.owner}, floor]`, or an `axle` of its own")
     return flat[0].owner
 
 
-def bent(name: str, scene: Surroundings) -> bool:
+def lies_uneven(name: str, scene: Surroundings) -> bool:
     """Whether a surface is curved or upright, so that nothing lies level on what rolls there."""
     return scene.surfaces[name].curved or scene.surfaces[name].upright
 
@@ -132,7 +161,7 @@ def laid_on(name: str, scene: Surroundings) -> list[Connection]:
 
 def round_a_centre(rule: Rule, item: Touch, surface: Curved, instant: Moment) -> Rule:
     """Of what goes round the centre of a body that travels: (a − a_O) · n = ∓ v²/r, v across n as seen from that centre."""
-    name, circle = instant.host(item.lying()), circle_of(item, surface, instant)
+    name, circle = instant.host(item.lying()), centre_circle(item, surface, instant)
     own, below = instant.motion(name), instant.motion(item.pair()[1].owner)
     facing = item.normal(surface, instant)
     centre = instant.hub(PointRef(item.pair()[1].owner))
@@ -150,10 +179,17 @@ def place_round(item: Touch, surface: Curved, way: Heading, instant: Moment, pla
         return None
     base = place_of(PointRef(item.pair()[1].owner, "center"))
     out = heading(item.touching_angle(instant))
-    return None if base is None else base + circle_of(item, surface, instant) * (out - way).cos()
+    return None if base is None else base + centre_circle(item, surface, instant) * (out - way).cos()
 
 
-def circle_of(item: Touch, surface: Curved, instant: Moment) -> Formula:
+def centre_circle(item: Touch, surface: Curved, instant: Moment) -> Formula:
     """The radius of the circle on which the centre of what lies on a round body goes."""
     ref = item.pair()[0]
     return surface.circle(rim_radius(instant.body(ref.owner), ref.point) or ZERO) or ZERO
+
+
+def room_at_rim(item: Touch, rim: Formula, scene: Surroundings) -> Iterator[Limit]:
+    """What lies in a round body is smaller than that."""
+    surface = rim_gone_round(item, scene.bodies)
+    if surface is not None:
+        yield from surface.rooms(item.lying(), rim, False)

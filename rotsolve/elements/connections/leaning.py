@@ -5,25 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from msgspec import field
-from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import LIES, NORMAL, TOUCHES, Force, Requirement, Rule, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import DOWN, LEFT, NOWHERE, RIGHT, UP, Heading, Vector, heading, unit
+from rotsolve.core.vectors.heading import LEFT, NOWHERE, RIGHT, UP, Heading, Vector, heading, unit
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.touch import Friction, Touch, contact_arm
+from rotsolve.elements.connections.touch import Friction, Touch
 from rotsolve.elements.shapes import rim_radius, rims, shape_of
 from rotsolve.elements.surfaces import Corner, Curved, Dome
 from rotsolve.language.bodies import Body, PointRef, Surface
-from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, SceneElements, Surroundings
+from rotsolve.language.elements import Fact, Moment, PlaceOf, SceneElements, Surroundings
 
 ENDS = ("start", "end")
 FLAT_ON = (None, "cm", "center")  # of a box on a floor: the points by which it is named as a whole
 
 
-class Edge(Surface, frozen=True):
+class LeanedOn(Surface, frozen=True):
     """What a rod leans on with its side: it pushes square to the rod, so that only the rod tells which way."""
 
     word = "edge"
@@ -36,7 +35,13 @@ def leaning(item: Touch, grip: Friction, scene: SceneElements) -> Leans | None:
     own, under = item.touches()[:2]
     bodies = {body.name: body for body in scene.bodies}
     body = bodies.get(own.owner)
-    if body is None or len(item.touches()) > 2 or not shape_of(body).slender or own.point in ENDS or own.point in rims(body):
+    if (
+        body is None
+        or len(item.touches()) > 2
+        or not shape_of(body).slender
+        or own.point in ENDS
+        or own.point in rims(body)
+    ):
         return None
     below = bodies.get(under.owner)
     if below is not None:
@@ -71,22 +76,32 @@ class Leans(Touch, frozen=True):
         ref, under = self.contact
         surface, carrier = scene.surfaces.get(under.owner), scene.bodies.get(under.owner)
         if carrier is None and not isinstance(surface, (Corner, Dome)):
-            raise Unsolvable(f"`{ref.owner}` on `{under.owner}` is not solved yet", span=ref.span, help="an end of it, `.start` or `.end`, touches a flat surface")
+            raise Unsolvable(
+                f"`{ref.owner}` on `{under.owner}` is not solved yet",
+                span=ref.span,
+                help="an end of it, `.start` or `.end`, touches a flat surface",
+            )
         if carrier is not None and carrier.name == ref.owner:
             raise Unsolvable(f"`{ref.owner}` leans on itself", span=under.span)
         if scene.bodies[ref.owner].moved:
-            raise Unsolvable(f"a given motion of `{ref.owner}`, which leans on `{under.owner}`, is not solved yet", span=ref.span)
-        foot = any(other.lying() == ref.owner and other.touches()[0].point in ENDS for other in scene.problem.connections)
+            raise Unsolvable(
+                f"a given motion of `{ref.owner}`, which leans on `{under.owner}`, is not solved yet", span=ref.span
+            )
+        foot = any(
+            other.lying() == ref.owner and other.touches()[0].point in ENDS for other in scene.problem.connections
+        )
         if ref.point is None and (isinstance(surface, Dome) or not foot):
             help = f"`{ref.owner}.at(x)` is x from its start"
-            raise Unsolvable(f"where along `{ref.owner}` it leans on `{under.owner}` nothing tells", span=ref.span, help=help)
+            raise Unsolvable(
+                f"where along `{ref.owner}` it leans on `{under.owner}` nothing tells", span=ref.span, help=help
+            )
         rolls = isinstance(surface, Dome) or (carrier is not None and rim_radius(carrier, under.point) is not None)
         if len(scene.problem.states) > 1 and ref.point is not None and (rolls or self.friction.kind == "none"):
             message = f"where along `{ref.owner}` it leans on `{under.owner}` from state to state is not solved yet"
             raise Unsolvable(message, span=ref.span, help="ask for one moment, with the place there")
 
     def surface(self, configuration: Surroundings, state: str) -> Surface | None:
-        return Edge(self.contact[1].owner)
+        return LeanedOn(self.contact[1].owner)
 
     def round(self, configuration: Surroundings) -> Formula:
         """Radius of what it leans on, 0 of an edge."""
@@ -109,7 +124,10 @@ class Leans(Touch, frozen=True):
     def outward(self, instant: Moment) -> list[Vector]:
         """The directions between which an edge can push: away from both sides that meet there; up of what is round."""
         under = self.contact[1]
-        surface, carrier = instant.configuration.surfaces.get(under.owner), instant.configuration.bodies.get(under.owner)
+        surface, carrier = (
+            instant.configuration.surfaces.get(under.owner),
+            instant.configuration.bodies.get(under.owner),
+        )
         if isinstance(surface, Corner):
             surface.height()  # which has to be said of an edge, and only matters where the rod stands on the floor
             return [unit(UP), unit(LEFT if surface.side == "right" else RIGHT)]
@@ -136,7 +154,7 @@ class Leans(Touch, frozen=True):
             return PointRef(ref.owner, "at", simplify(before + high / rise), span=ref.span)
         way = (instant.point(ref) - instant.point(foot[0])).along(UP)
         if not is_zero(way - high) and instant.configuration.signs.decide(way - high) != 0:
-            message = f"as `{ref.owner}` stands, that place of it is not as high above its foot as `{self.contact[1].owner}` is above `{foot[1]}`"
+            message = f"as `{ref.owner}` stands, that place is not as high above its foot as `{self.contact[1].owner}` is above `{foot[1]}`"
             raise Unsolvable(message, span=ref.span, help=f"leave the place out: `contact: [{ref.owner}, …]`")
         return ref
 
@@ -150,7 +168,7 @@ class Leans(Touch, frozen=True):
         return None
 
     def height(self, instant: Moment) -> Formula | None:
-        """How high above the floor of the foot it touches: of an edge as told, of a box that stands there, of what rolls there R + R cos θ."""
+        """How high above the floor of the foot it touches: an edge as told, a box by its side, what rolls there at R + R cos θ."""
         under, configuration, foot = self.contact[1], instant.configuration, self.foot(instant)
         if foot is None:
             return None
@@ -161,7 +179,7 @@ class Leans(Touch, frozen=True):
             return None
         radius = self.round(configuration)
         if radius != ZERO:
-            return simplify(radius + radius * self.normal(Edge(""), instant).sin())
+            return simplify(radius + radius * self.normal(LeanedOn(""), instant).sin())
         carrier, own = configuration.bodies[under.owner], laid[0].touches()[0]
         if own.point not in FLAT_ON or instant.motion(under.owner).turns:
             return None
@@ -172,10 +190,12 @@ class Leans(Touch, frozen=True):
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """N square to the rod, on both; the rod stays on the edge; friction along the rod."""
-        ref, edge = self.contact[0], Edge(self.contact[1].owner)
+        ref, edge = self.contact[0], LeanedOn(self.contact[1].owner)
         name, facing, arm = instant.host(ref.owner), self.normal(edge, instant), self.touching_arm(instant)
         size = instant.ask("normal_force", self.name, when=instant.span(name))
-        force = Force(self.name, NORMAL, name, size, unit(facing), arm, "normal force", edge.away, works=False, internal=True)
+        force = Force(
+            self.name, NORMAL, name, size, unit(facing), arm, "normal force", edge.away, works=False, internal=True
+        )
         yield from self.both(force, instant, "push", edge.into, ref.owner)
         kept = f"{spoken(ref.owner)} stays on the {spoken(edge.name)}"
         yield Requirement(self.name, TOUCHES, size, ZERO, kept, f"{spoken(ref.owner)} leaves the {spoken(edge.name)}")

@@ -29,7 +29,6 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.borne import check_borne, goes_round, place_round, round_a_centre
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
@@ -96,14 +95,19 @@ class Touch(Connection, frozen=True):
     def check(self, scene: Surroundings) -> None:
         """A body on a surface or on a body that travels, or two wheels side by side."""
         ref, under = self.pair()[:2]
-        if under.owner in scene.bodies and (ref.owner in scene.held or self.pressed):
+        round_under = under.owner in scene.bodies and rim_radius(scene.bodies[under.owner], under.point) is not None
+        held = ref.owner in scene.held or (under.owner in scene.held and not round_under)
+        if under.owner in scene.bodies and (held or self.pressed):
             for wheel in self.pair():
                 check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
             if not self.side_by_side:
                 help = f"write `contact: [{ref.owner}, {under.owner}]`"
                 raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
         elif under.owner in scene.bodies:
-            self.check_carrier(scene)
+            from rotsolve.elements.connections.borne import check_on_top
+
+            if not check_on_top(self, scene):
+                self.check_carrier(scene)
         self.check_side(scene)
         self.check_seen(scene)
         self.check_places(scene)
@@ -150,21 +154,13 @@ class Touch(Connection, frozen=True):
         return False
 
     def check_carrier(self, scene: Surroundings) -> None:
-        """What carries another body travels along a flat surface, or along the line that it `moves`, and turns only if it is a roller."""
+        """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
         ref, under = self.pair()[:2]
         carrier = scene.bodies[under.owner]
         flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)}
         laid = (item for item in scene.problem.connections if item.lying() == carrier.name and item is not self)
         on_flat = any(item.places()[0].owner in (*flat, *scene.bodies) for item in laid)
-        if rim_radius(carrier, under.point) is not None:
-            return check_borne(self, scene)
-        beside = [item.places()[0] for item in scene.problem.connections if item.lying() == ref.owner and item is not self]
-        bed = next((place for place in beside if place.owner in flat), None)
-        if bed is not None:
-            message = f"`{ref.owner}` lies on `{bed.owner}` as well as on `{carrier.name}`: which of them is on top is not told"
-            help = f"`contact: [{carrier.name}, {ref.owner}], friction: any` is a plank that lies on a roller"
-            raise Unsolvable(message, span=under.span, help=help)
-        if carrier.turns is not None or under.owner in scene.held or len(self.pair()) > 2:
+        if carrier.turns is not None or rim_radius(carrier, None) is not None or len(self.pair()) > 2:
             raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
         if not carrier.parts and not shape_of(carrier).backed:
             message = f"`{ref.owner}` on `{carrier.name}`, a {shape_of(carrier).word}: on which side it lies is not solved yet"
@@ -243,9 +239,10 @@ class Touch(Connection, frozen=True):
         yield from self.grip().rooms(self.name)
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         rim = rim_radius(body, ref.point) if body is not None else None
-        bent = goes_round(self, scene.bodies)
-        if bent is not None:
-            yield from bent.rooms(self.lying(), rim or ZERO, False)
+        if self.pair()[1].owner in scene.bodies:
+            from rotsolve.elements.connections.borne import room_at_rim
+
+            yield from room_at_rim(self, rim or ZERO, scene)
         surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
         for surface in surfaces if rim is not None else ():
             if isinstance(surface, Curved):
@@ -274,8 +271,10 @@ class Touch(Connection, frozen=True):
         another body lies as that on which it travels."""
         carrier = self.carrier(configuration)
         if carrier:
-            if (bent := goes_round(self, configuration.bodies)) is not None:
-                return bent
+            from rotsolve.elements.connections.borne import rim_gone_round
+
+            if (rim := rim_gone_round(self, configuration.bodies)) is not None:
+                return rim
             below = supporting(carrier, configuration, state)
             return replace(below, name=carrier) if below is not None else Level(carrier)
         found = [surface for ref in self.places() if (surface := configuration.surfaces.get(ref.owner)) is not None]
@@ -375,7 +374,11 @@ class Touch(Connection, frozen=True):
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
             rule = self.no_slip(label, point, facing, instant, linear=False)
-            yield round_a_centre(rule, self, surface, instant) if isinstance(surface, Curved) else rule
+            if isinstance(surface, Curved) and self.carrier(instant.configuration):
+                from rotsolve.elements.connections.borne import round_a_centre
+
+                rule = round_a_centre(rule, self, surface, instant)
+            yield rule
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
     def told_apart(self, instant: Moment) -> str:
@@ -491,6 +494,8 @@ class Touch(Connection, frozen=True):
         if surface is None or instant.host(self.lying()) != name:
             return None
         if isinstance(surface, Curved):
+            from rotsolve.elements.connections.borne import place_round
+
             return place_round(self, surface, way, instant, place_of)
         if (surface.normal - way).sin() != ZERO:
             return None
@@ -507,7 +512,7 @@ class Touch(Connection, frozen=True):
         return motion.velocity_of(arm), motion.acceleration_of(arm)
 
     def underneath(self, instant: Moment) -> Vector:
-        """From the reference of the body that carries it to where they touch: on the rim of a roller, nowhere on a back that does not turn."""
+        """From the reference of the body that carries it to where they touch: on the rim of a roller, else on a back that does not turn."""
         surface, under = self.surface(instant.configuration, instant.state), self.places()[0]
         if surface is None:
             return NOWHERE

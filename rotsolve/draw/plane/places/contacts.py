@@ -20,7 +20,10 @@ AHEAD, BELOW = (
     2.0,
     1.3,
 )  # of what a body will touch: how far an edge is on its way, how low a level is, in its half size
-SPREAD, APART = 1.2, 1.3  # of rollers under a plank: how far the outer ones are apart, in its half length, and at least, in their radii
+SPREAD, APART = (
+    1.2,
+    1.3,
+)  # of rollers under a plank: how far the outer ones are apart, in its half length, and at least, in their radii
 ONWARD, LOWER = 2.6, 0.6  # of a loop from where a track begins, in its radius
 
 
