@@ -13,7 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
-from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under, travels
+from rotsolve.confirm.signs import RIGHT, UP, carrier_travels, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
@@ -204,7 +204,7 @@ def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name:
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and surface.radius() is not None and not travels(item, model):
+            if isinstance(surface, Curved) and surface.radius() is not None and not carrier_travels(item, model):
                 return item, surface
     return None
 

@@ -97,7 +97,7 @@ def rim_under(item: Touch, model: Known) -> Curved | None:
     return Hollow(under.owner, radius) if inside else Dome(under.owner, radius)
 
 
-def travels(item: Touch, model: Known) -> bool:
+def carrier_travels(item: Touch, model: Known) -> bool:
     """Whether a contact is with a round body that no fixed axle holds."""
     under = item.pair()[1].owner
     return under in model.seats and under not in model.held
@@ -252,7 +252,7 @@ def sense(name: str, model: Known) -> int:
     for item in (*model.acting.connections, *late, *taken_from_under(model)):
         if isinstance(item, Touch) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and travels(item, model):
+            if isinstance(surface, Curved) and carrier_travels(item, model):
                 continue
             if isinstance(surface, Curved):
                 return round_way(surface, body.moves) * (1 if surface.outside else -1)

@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import Rule, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
-from rotsolve.core.vectors.heading import Heading, heading
+from rotsolve.core.vectors.heading import Heading, Vector, heading, vector
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, shape_of
 from rotsolve.elements.surfaces import Curved, Dome, Hollow
 from rotsolve.language.bodies import Body, PointRef
@@ -114,7 +114,7 @@ def check_borne(item: Touch, scene: Surroundings) -> None:
     laid = laid_on(ref.owner, scene)
     told = plank.parts or (plank.shape is not None and shape_of(plank).backed and not shape_of(plank).pointlike)
     if ref.point is not None or not (told or len(laid) > 1):
-        help = f"a plank on it has `shape: rectangle` and its `sides`, and is named alone, `{ref.owner}`; what goes round it has `shape: particle`"
+        help = "a plank on it has `shape: rectangle` and its `sides`, and is named alone; what goes round it has `shape: particle`"
         message = f"how `{ref.owner}` lies on `{under.owner}`, which is round, nothing tells"
         raise Unsolvable(message, span=ref.span, help=help)
     check_rollers(item, laid, scene)
@@ -161,6 +161,8 @@ def laid_on(name: str, scene: Surroundings) -> list[Connection]:
 
 def round_a_centre(rule: Rule, item: Touch, surface: Curved, instant: Moment) -> Rule:
     """Of what goes round the centre of a body that travels: (a − a_O) · n = ∓ v²/r, v across n as seen from that centre."""
+    if not item.carrier(instant.configuration):
+        return rule
     name, circle = instant.host(item.lying()), centre_circle(item, surface, instant)
     own, below = instant.motion(name), instant.motion(item.pair()[1].owner)
     facing = item.normal(surface, instant)
@@ -171,6 +173,12 @@ def round_a_centre(rule: Rule, item: Touch, surface: Curved, instant: Moment) ->
     right = below.acceleration_of(centre).along(facing) + (negate(inward) if surface.outside else inward)
     velocity = own.velocity.along(facing), below.velocity_of(centre).along(facing)
     return replace(rule, velocity=velocity, acceleration=(left, right))
+
+
+def arm_of_rim(under: PointRef, surface: Curved, facing: Heading, instant: Moment) -> Vector:
+    """From the reference of a round body to where its rim touches what lies on it, or in it."""
+    out = facing if surface.outside else facing.turned(180)
+    return instant.hub(PointRef(under.owner)) + vector(surface.radius() or ZERO, out)
 
 
 def place_round(item: Touch, surface: Curved, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:

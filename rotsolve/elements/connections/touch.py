@@ -29,6 +29,7 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.lying import check_from_above, check_led_along, check_off_post
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
@@ -95,23 +96,23 @@ class Touch(Connection, frozen=True):
     def check(self, scene: Surroundings) -> None:
         """A body on a surface or on a body that travels, or two wheels side by side."""
         ref, under = self.pair()[:2]
-        round_under = under.owner in scene.bodies and rim_radius(scene.bodies[under.owner], under.point) is not None
-        held = ref.owner in scene.held or (under.owner in scene.held and not round_under)
-        if under.owner in scene.bodies and (held or self.pressed):
+        carrier = scene.bodies.get(under.owner)
+        held = carrier is not None and under.owner in scene.held and rim_radius(carrier, under.point) is None
+        if carrier is not None and (ref.owner in scene.held or held or self.pressed):
             for wheel in self.pair():
                 check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
             if not self.side_by_side:
                 help = f"write `contact: [{ref.owner}, {under.owner}]`"
                 raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
-        elif under.owner in scene.bodies:
+        elif carrier is not None:
             from rotsolve.elements.connections.borne import check_on_top
 
             if not check_on_top(self, scene):
                 self.check_carrier(scene)
         self.check_side(scene)
-        self.check_seen(scene)
+        check_from_above(self, scene)
         self.check_places(scene)
-        self.check_way(scene)
+        check_led_along(self, self.rests, scene)
 
     def check_side(self, scene: Surroundings) -> None:
         """What touches is a rim, a point that is named, or a body with corners: what is bent otherwise would rock."""
@@ -122,31 +123,6 @@ class Touch(Connection, frozen=True):
         if ref.point in (None, "center", "cm") and "rim" not in shape_of(body).points:
             message = f"on which side `{body.name}` touches `{self.pair()[1].owner}` nothing tells: it is neither round nor has corners"
             raise Unsolvable(message, span=ref.span, help="such bodies, which rock, are not solved yet")
-
-    def check_seen(self, scene: Surroundings) -> None:
-        """Seen from above nothing presses on a level surface, which lies below the whole picture: friction on it is none of its edge."""
-        under = self.pair()[1]
-        below = scene.problem.plane == "horizontal" and isinstance(scene.surfaces.get(under.owner), Level)
-        if below and self.grip().kind != "none":
-            message = f"friction on `{under.owner}`, which lies below a scene that is seen from above, is not solved"
-            help = "leave out `plane: horizontal` where it slides along a line; a torque of friction may be told as a `couple`"
-            raise Unsolvable(message, span=under.span, help=help)
-
-    def check_way(self, scene: Surroundings) -> None:
-        """What lies on a surface all the time, and on nothing else, moves along it."""
-        ref, body = self.pair()[0], scene.bodies.get(self.lying())
-        states = scene.throughout(self.name)
-        if any(item.lying() == self.lying() and item is not self for item in scene.problem.connections):
-            return
-        if body is None or body.moves is None or not self.rests(body) or not states:
-            return
-        surface = self.surface(scene, states[0])
-        if surface is None or body.moves in surface.ways():
-            return
-        words = " or ".join(surface.ways())
-        message = f"`{body.name}` lies on `{surface.name}`, along which it can not move {body.moves}"
-        help = f"it moves {words} there; what is lifted off lies on nothing: leave `{self.name}` out"
-        raise Unsolvable(message, span=ref.span, help=help)
 
     @property
     def pressed(self) -> bool:
@@ -173,14 +149,7 @@ class Touch(Connection, frozen=True):
     def check_places(self, scene: Surroundings) -> None:
         """Of surfaces that join, a track of unknown profile leads into a curved one; a curved one takes what fits it."""
         places = [scene.surfaces[ref.owner] for ref in self.places() if ref.owner in scene.surfaces]
-        post = next(
-            (ref for ref in self.places() if ref.owner in scene.surfaces and scene.surfaces[ref.owner].post), None
-        )
-        if post is not None:
-            message = f"`{self.lying()}` on `{post.owner}`, a post: nothing tells how it lies on that"
-            raise Unsolvable(
-                message, span=post.span, help="a rope runs round a post; what lies on something round lies on a `dome`"
-            )
+        check_off_post(self, scene)
         unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
         curved = all(place.curved for place in places)
         carrier = next((ref for ref in self.places() if ref.owner in scene.bodies), None)
@@ -374,7 +343,7 @@ class Touch(Connection, frozen=True):
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
             rule = self.no_slip(label, point, facing, instant, linear=False)
-            if isinstance(surface, Curved) and self.carrier(instant.configuration):
+            if isinstance(surface, Curved):
                 from rotsolve.elements.connections.borne import round_a_centre
 
                 rule = round_a_centre(rule, self, surface, instant)
@@ -518,8 +487,9 @@ class Touch(Connection, frozen=True):
             return NOWHERE
         facing = self.normal(surface, instant)
         if isinstance(surface, Curved):
-            out = facing if surface.outside else facing.turned(180)
-            return instant.hub(PointRef(under.owner)) + vector(surface.radius() or ZERO, out)
+            from rotsolve.elements.connections.borne import arm_of_rim
+
+            return arm_of_rim(under, surface, facing, instant)
         return contact_arm(under, facing.turned(180), instant)
 
     def grip_rule(self, instant: Moment) -> Rule | None:
