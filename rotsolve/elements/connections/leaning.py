@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Protocol, cast
 
 from msgspec import field
 
@@ -20,6 +21,13 @@ from rotsolve.language.elements import Fact, Moment, PlaceOf, SceneElements, Sur
 
 ENDS = ("start", "end")
 FLAT_ON = (None, "cm", "center")  # of a box on a floor: the points by which it is named as a whole
+
+
+class Declared(Protocol):
+    """What a scene declares, its surfaces as well."""
+
+    @property
+    def surfaces(self) -> tuple[Surface, ...]: ...
 
 
 class LeanedOn(Surface, frozen=True):
@@ -48,7 +56,10 @@ def leaning(item: Touch, grip: Friction, scene: SceneElements) -> Leans | None:
         cornered = under.point is not None and under.point in corners(below)
         if not (cornered or (own.point is not None and rim_radius(below, under.point) is not None)):
             return None
-    return Leans(item.name, (own, under), grip)
+    edges = {surface.name for surface in cast("Declared", scene).surfaces if isinstance(surface, Corner)}
+    alone = sum(other.touches()[:1] == (own,) or other.lying() == own.owner for other in scene.connections) == 1
+    pivots = grip.kind == "any" and own.point is not None and under.owner in edges and alone
+    return Leans(item.name, (own, under), grip, pivots)
 
 
 def corners(body: Body) -> tuple[str, ...]:
@@ -64,9 +75,13 @@ class Leans(Touch, frozen=True):
 
     contact: tuple[PointRef, ...] = ()
     friction: Friction = field(default_factory=Friction)
+    pivots: bool = False  # whether it is on a fixed edge alone, rough enough for anything, and turns about that
 
     def grip(self) -> Friction:
         return self.friction
+
+    def fixed_points(self) -> tuple[PointRef, ...]:
+        return self.contact[:1] if self.pivots else ()
 
     def rests(self, body: Body) -> bool:
         return False
@@ -208,8 +223,12 @@ class Leans(Touch, frozen=True):
             if instant.configuration.signs.sign(room - reach) not in (0, 1):
                 short = f"{spoken(ref.owner)} does not reach {spoken(edge.name)}"
                 yield Requirement(self.name, LIES, simplify(room - reach), ZERO, "", short)
+        rubbing = self.friction_facts(instant, name, arm, edge, size)
+        if self.pivots:  # the laws of what turns about an axis hold it there
+            yield from (fact for fact in rubbing if not isinstance(fact, Rule))
+            return
         yield self.stays(kept, arm, facing, instant)
-        yield from self.friction_facts(instant, name, arm, edge, size)
+        yield from rubbing
         if instant.mode(self.name).startswith("slips") and len(instant.configuration.problem.states) > 1:
             message = f"how `{ref.owner}` slips on `{edge.name}` from state to state is not solved yet"
             raise Unsolvable(message, span=ref.span, help="ask for the moment in which it begins to slip")
