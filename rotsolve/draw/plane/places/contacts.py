@@ -31,7 +31,11 @@ def lay(item: Touch, stage: PlaneStage) -> None:
     """A body on what it touches."""
     ref, under = item.pair()[:2]
     surface = surface_of(item, stage.model)
-    if under.owner in stage.bodies and ref.owner in stage.model.held:
+    if item.leaning:
+        from rotsolve.draw.plane.places.leaned import lay_leaned
+
+        lay_leaned(item, stage)
+    elif under.owner in stage.bodies and ref.owner in stage.model.held:
         stage.wheels.append((ref, under))
     elif surface is not None and surface.curved:
         lay_round(item, surface, stage)
@@ -106,7 +110,10 @@ def rolling_rim(item: Touch, stage: PlaneStage) -> tuple[float, Point] | None:
 def lay_round(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     """On a curved surface at the angle that the assembly tells; where its form is not known, at its beginning."""
     name, size = item.lying(), curve_radius(surface)
-    centre, body = middle_unknown(surface, stage), stage.bodies[item.lying()]
+    under, body = item.pair()[1].owner, stage.bodies[item.lying()]
+    carried = under in stage.bodies
+    spot = stage.model.spot(PointRef(under)) if carried else (0.0, 0.0)
+    centre = stage.place_of(under, spot) if carried else middle_unknown(surface, stage)
     if size is None:
         stage.layout.meet(centre, stage.origin(name))
         lead_on(item, name, stage)
@@ -114,7 +121,8 @@ def lay_round(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     rim = rolling_rim(item, stage)
     radius = rim[0] if rim is not None else body.reach((0.0, -1.0)) if body.block else 0.0
     x, y = stage.drawn_at(name)
-    angle = math.atan2(y, x)
+    u, w = stage.drawn_at(under) if carried else (0.0, 0.0)
+    angle = math.atan2(y - w, x - u)
     outside = normal_sign(surface)
     circle = stage.value(size) + outside * radius
     stage.layout.meet(place_off(centre, (circle * math.cos(angle), circle * math.sin(angle))), stage.origin(name))

@@ -77,9 +77,11 @@ def draw_contact_angle(path: Path, value: Formula, stage: PlaneStage, sheet: Sce
     for item in stage.kinds.contacts:
         if item.name != path.owner:
             continue
-        for surface, where in stage.surfaces.values():
-            if curve_radius(surface) is not None:
-                x, y = (part.at(stage.found) for part in where)
-                centre, body = sheet.at((x, y)), sheet.at(stage.bodies[item.lying()].place)
-                sheet.figure.line([centre, body], AXIS)
-                draw_angle(value, centre, ARC + 6.0, stage, sheet)
+        under = stage.bodies.get(item.pair()[1].owner)
+        middles = [
+            stage.middle(where) for surface, where in stage.surfaces.values() if curve_radius(surface) is not None
+        ]
+        for middle in middles if under is None else [under.place]:
+            centre, body = sheet.at(middle), sheet.at(stage.bodies[item.lying()].place)
+            sheet.figure.line([centre, body], AXIS)
+            draw_angle(value, centre, ARC + 6.0, stage, sheet)
