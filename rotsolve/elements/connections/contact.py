@@ -30,7 +30,7 @@ def inner_side() -> Any:
 class Contact(Touch, frozen=True):
     word = "contact"
     side_by_side = True
-    about = "a body lies on, slides along or rolls on a surface or on a body that travels; or a wheel rubs on another, both on fixed axles"
+    about = "a body lies on, slides along, leans on or rolls on a surface or another body; or a wheel rubs on another, both on fixed axles"
     contact: tuple[PointRef, ...] = key(
         "points", "[body, surface, …]", count=(2, 10), required=True, example="[block, ramp]"
     )
@@ -108,7 +108,7 @@ class Contact(Touch, frozen=True):
 
 class Rolls(Touch, frozen=True):
     word = "rolls"
-    about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on a body that travels"
+    about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on another body"
     rolls: tuple[PointRef, ...] = key(
         "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
     )
