@@ -32,6 +32,15 @@ def check_on_top(item: Touch, scene: Surroundings) -> bool:
     if rim_radius(carrier, under.point) is not None:
         check_borne(item, scene)
         return True
+    stands = any(other.touches()[0].point in ("start", "end") for other in laid_on(carrier.name, scene))
+    if shape_of(carrier).slender and (stands or carrier.name in scene.held):
+        message = f"`{ref.owner}` on the side of `{carrier.name}`, a rod that does not lie flat, is not solved yet"
+        help = "a rod that leans is named first: on an edge, on the corner of a box, on something round"
+        raise Unsolvable(message, span=under.span, help=help)
+    if carrier.name in scene.held:
+        raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
+    if not item.rests(scene.bodies[ref.owner]):
+        return False
     beds = (other.places()[0] for other in laid_on(ref.owner, scene) if other is not item)
     bed = next((place for place in beds if place.owner in scene.surfaces and not lies_uneven(place.owner, scene)), None)
     if bed is not None:
@@ -94,7 +103,12 @@ def check_borne(item: Touch, scene: Surroundings) -> None:
     ref, under = item.pair()[:2]
     plank, roller = scene.bodies[ref.owner], scene.bodies[under.owner]
     surface = rim_gone_round(item, scene.bodies)
-    if surface is not None and scene.problem.plane != "horizontal" and len(item.pair()) == 2:
+    if scene.problem.plane == "horizontal":
+        message = (
+            f"`{ref.owner}` on `{under.owner}`, which turns, in a scene that is seen from above, is not solved yet"
+        )
+        raise Unsolvable(message, span=under.span)
+    if surface is not None and len(item.pair()) == 2:
         return check_on_rim(item, surface, scene)
     if item.on_inside():
         raise Unsolvable(
@@ -102,11 +116,7 @@ def check_borne(item: Touch, scene: Surroundings) -> None:
             span=ref.span,
             help="what lies inside is round, or a particle",
         )
-    if (
-        scene.problem.plane == "horizontal"
-        or len(item.pair()) > 2
-        or under.point not in (*MIDDLE, "rim", *rims(roller))
-    ):
+    if len(item.pair()) > 2 or under.point not in (*MIDDLE, "rim", *rims(roller)):
         raise Unsolvable(f"`{ref.owner}` on `{under.owner}`, which turns, is not solved yet", span=under.span)
     if rim_radius(plank, ref.point) is not None or bow_of(plank, ref.point) is not None or plank.turns is not None:
         help = f"solved is a plank that does not turn on `{under.owner}`, as a rectangle"

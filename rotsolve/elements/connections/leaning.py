@@ -39,12 +39,13 @@ class LeanedOn(Surface, frozen=True):
 
 
 def leaning(item: Touch, grip: Friction, scene: SceneElements) -> Leans | None:
-    """A contact as that of a rod that leans with its side: on a surface, on a corner of a body, or at a told place on what is round."""
+    """A contact as that of a rod that leans with its side: on an edge, on a corner of a body, or at a told place on what is round."""
     own, under = item.touches()[:2]
     bodies = {body.name: body for body in scene.bodies}
     body = bodies.get(own.owner)
     if (
         body is None
+        or scene.space
         or len(item.touches()) > 2
         or not shape_of(body).slender
         or own.point in ENDS
@@ -52,13 +53,15 @@ def leaning(item: Touch, grip: Friction, scene: SceneElements) -> Leans | None:
     ):
         return None
     below = bodies.get(under.owner)
+    surface = next((one for one in cast("Declared", scene).surfaces if one.name == under.owner), None)
+    if surface is not None and not isinstance(surface, (Corner, Dome)):
+        return None
     if below is not None:
         cornered = under.point is not None and under.point in corners(below)
         if not (cornered or (own.point is not None and rim_radius(below, under.point) is not None)):
             return None
-    edges = {surface.name for surface in cast("Declared", scene).surfaces if isinstance(surface, Corner)}
     alone = sum(other.touches()[:1] == (own,) or other.lying() == own.owner for other in scene.connections) == 1
-    pivots = grip.kind == "any" and own.point is not None and under.owner in edges and alone
+    pivots = grip.kind == "any" and own.point is not None and isinstance(surface, Corner) and alone
     return Leans(item.name, (own, under), grip, pivots)
 
 
@@ -90,12 +93,6 @@ class Leans(Touch, frozen=True):
         """On what pushes square to it, at a place that is told, or that the height of the edge above its foot tells."""
         ref, under = self.contact
         surface, carrier = scene.surfaces.get(under.owner), scene.bodies.get(under.owner)
-        if carrier is None and not isinstance(surface, (Corner, Dome)):
-            raise Unsolvable(
-                f"`{ref.owner}` on `{under.owner}` is not solved yet",
-                span=ref.span,
-                help="an end of it, `.start` or `.end`, touches a flat surface",
-            )
         if carrier is not None and carrier.name == ref.owner:
             raise Unsolvable(f"`{ref.owner}` leans on itself", span=under.span)
         if scene.bodies[ref.owner].moved:

@@ -97,8 +97,11 @@ class Touch(Connection, frozen=True):
         """A body on a surface or on a body that travels, or two wheels side by side."""
         ref, under = self.pair()[:2]
         carrier = scene.bodies.get(under.owner)
-        held = carrier is not None and under.owner in scene.held and rim_radius(carrier, under.point) is None
-        if carrier is not None and (ref.owner in scene.held or held or self.pressed):
+        if carrier is not None and (ref.owner in scene.held or self.pressed):
+            bodies = scene.bodies[ref.owner], carrier
+            if not (self.pressed or any(rim_radius(body, None) for body in bodies)):
+                message = f"`{ref.owner}`, which a hinge holds, on `{carrier.name}` is not solved yet"
+                raise Unsolvable(message, span=ref.span, help="solved is a rod that leans with its side on a corner")
             for wheel in self.pair():
                 check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
             if not self.side_by_side:
