@@ -98,8 +98,7 @@ class Touch(Connection, frozen=True):
         ref, under = self.pair()[:2]
         carrier = scene.bodies.get(under.owner)
         if carrier is not None and (ref.owner in scene.held or self.pressed):
-            bodies = scene.bodies[ref.owner], carrier
-            if not (self.pressed or any(rim_radius(body, None) for body in bodies)):
+            if not (self.pressed or rim_radius(scene.bodies[ref.owner], None) or rim_radius(carrier, None)):
                 message = f"`{ref.owner}`, which a hinge holds, on `{carrier.name}` is not solved yet"
                 raise Unsolvable(message, span=ref.span, help="solved is a rod that leans with its side on a corner")
             for wheel in self.pair():
