@@ -23,7 +23,7 @@ ENDS = ("start", "end")
 FLAT_ON = (None, "cm", "center")  # of a box on a floor: the points by which it is named as a whole
 
 
-class Declared(Protocol):
+class WithSurfaces(Protocol):
     """What a scene declares, its surfaces as well."""
 
     @property
@@ -53,7 +53,7 @@ def leaning(item: Touch, grip: Friction, scene: SceneElements) -> Leans | None:
     ):
         return None
     below = bodies.get(under.owner)
-    surface = next((one for one in cast("Declared", scene).surfaces if one.name == under.owner), None)
+    surface = next((one for one in cast("WithSurfaces", scene).surfaces if one.name == under.owner), None)
     if surface is not None and not isinstance(surface, (Corner, Dome)):
         return None
     if below is not None:
