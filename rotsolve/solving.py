@@ -10,16 +10,17 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, Impossible, NeverReached, Unsolvable
-from rotsolve.core.symbols import CONSTANT, POSITION, TIME
+from rotsolve.core.symbols import CONSTANT, POSITION, TIME, has_quantities
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.block import left_out
-from rotsolve.language.problem import COMES_TO, Find, Path, Problem, Term, TimeValue, before
+from rotsolve.language.problem import COMES_TO, Find, Path, Problem, State, Term, TimeValue, before
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import sticks_at_last, with_hereafter
 from rotsolve.motion.rubs import rough_blows, rubs
+from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.idle import idle_words, noted
@@ -158,6 +159,25 @@ def never_gets_there(found: Found | Unsolvable) -> bool:
 def turnable(search: Search) -> bool:
     """Whether a motion goes by its place, so that it may turn back on its way."""
     return any(travel.pace == POSITION for over in search.scene.passages.values() for travel in over.travels)
+
+
+def steady_and_untimed(search: Search, balls: KnownBalls) -> list[Interval]:
+    """The phases with steady accelerations of which nothing that is asked tells how long they last, up to a state that tells a rate."""
+    timeline, found = search.scene.configuration.timeline, list[Interval]()
+    for interval in timeline.intervals:
+        over = search.scene.passages.get(interval.name)
+        steady = over is not None and any(travel.pace == CONSTANT for travel in over.travels)
+        if over is not None and steady and tells_rate(timeline.state(interval.end)):
+            untold = has_quantities(over.times[1]) and balls.size(over.duration) is None
+            found += [interval] if untold else []
+    return found
+
+
+def tells_rate(state: State) -> bool:
+    """Whether a state tells how fast something moves, or that it does not slip."""
+    paths = [line.path.quantity for line in state.conditions if line.path is not None and line.value is not None]
+    said = any(line.word in ("rolls", "sticks") or line.rest for line in state.conditions)
+    return said or not {"velocity", "angular_velocity"}.isdisjoint(paths)
 
 
 def nears(search: Search) -> bool:
@@ -369,6 +389,11 @@ def check_consistent(search: Search) -> KnownBalls:
         from rotsolve.search.reached import not_reached
 
         for refusal in not_reached(search):
+            raise refusal
+    if untimed := steady_and_untimed(search, balls):
+        from rotsolve.search.reached import led_away_from
+
+        for refusal in led_away_from(untimed, search):
             raise refusal
     if any(search.scene.configuration.rides(state.name) for state in problem.states):
         from rotsolve.search.riding import barred_rides

@@ -39,10 +39,31 @@ def damped(composition: Composition) -> bool | None:
 
 
 def braked(composition: Composition) -> bool | None:
-    if composition.ways["one"] != TURN or composition.kinds["one"].word == "spool" or "truck" in composition.bodies:
+    rim = "rim" in composition.kinds["one"].points
+    if composition.ways["one"] != TURN or not rim or "truck" in composition.bodies:
         return False
     press, friction = composition.letters.new("B", "N"), composition.letters.new("mu", "")
     composition.put("actions", "brake", {"press": press, "on": "one.rim", "friction": friction})
+    return None
+
+
+def banded(composition: Composition) -> bool | None:
+    """A band brake round the rim."""
+    if composition.ways["one"] != TURN or composition.kinds["one"].word not in ("disc", "ring", "annulus"):
+        return False
+    pull, friction = composition.letters.new("B", "N"), composition.letters.new("mu", "")
+    band = {"band": pull, "on": "one.rim", "friction": friction, "wrap": composition.pick("90 deg", "1/2 rev")}
+    composition.put("actions", "band", {**band, "direction": composition.pick("clockwise", "counterclockwise")})
+    return None
+
+
+def dragged(composition: Composition) -> bool | None:
+    """A drag in proportion to the speed, on what goes along a line."""
+    if composition.ways["one"] not in (LINE, ROLL):
+        return False
+    drag = f"-{composition.letters.new('c', 'N s/m')}*one.velocity"
+    moves = composition.bodies["one"].get("moves", "right")
+    composition.put("actions", "drag", {"force": drag, "on": composition.middle("one"), "direction": moves})
     return None
 
 
@@ -72,6 +93,8 @@ ACTS: dict[str, Act] = {
     "twisted": twisted,
     "damped": damped,
     "braked": braked,
+    "banded": banded,
+    "dragged": dragged,
     "knocked": knocked,
     "pushed for a while": pushed_while,
 }

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from compositions.parts import LINE, PLANE, ROLL, SWING, TURN, Composition
+from compositions.parts import ARC, LINE, PLANE, ROLL, SWING, TURN, Composition
 
-TRAVELS, SPINS = (LINE, ROLL, PLANE), (TURN, SWING, ROLL, PLANE)
+SPINS = (TURN, SWING, ROLL, PLANE)
 OF_CONNECTIONS = {
     "string": ("tension",),
     "contact": ("normal_force", "friction_force"),
@@ -15,6 +15,9 @@ OF_CONNECTIONS = {
     "torsion": ("torque",),
     "shaft": ("force.x", "force.y"),
     "gear": ("force",),
+    "clutch": ("torque",),
+    "slot": ("force.x", "force.y"),
+    "rides": ("normal_force",),
     "weld": ("force.x", "torque"),
 }
 ASKED: dict[
@@ -32,15 +35,24 @@ ASKED: dict[
     "time": ("time",),
     "lost energy": ("lost kinetic_energy", "change of potential_energy"),
     "period": ("period",),
+    "modes": (
+        "angular_frequency of mode 1",
+        "angular_frequency of mode 2",
+        "ratio of two.rotation to one.rotation in mode 2",
+    ),
+    "damping": ("damping_ratio", "time_constant", "logarithmic_decrement"),
+    "mean": ("kinetic_energy", "angular_velocity", "velocity"),
     "inertia": ("inertia",),
 }
+
+SWINGS, SPANS = ("period", "modes", "damping"), ("time", "work", "lost energy", "mean")
 
 
 def rates(composition: Composition, name: str, word: str) -> list[str]:
     """Velocity or acceleration of a body, as fits its way of moving."""
     way = composition.ways.get(name, "")
     found = []
-    if way in (LINE, ROLL):
+    if way in (LINE, ROLL, ARC):
         found.append(f"{name}.{word}")
     if way in SPINS:
         found.append(f"{name}.angular_{word}")
@@ -89,6 +101,8 @@ def over(composition: Composition, question: str) -> list[str]:
         return [f"time{span}"] if states[-1] != "after" else []
     if question == "lost energy":
         return [f"{word}{span}" for word in ASKED[question]]
+    if question == "mean":
+        return [f"mean {name}.{word}{span}" for name in composition.kinds for word in ASKED[question]]
     acting = [*composition.sections.get("actions", {}), *composition.has("contact"), *composition.has("string")]
     return [f"{name}.work{span}" for name in acting]
 
@@ -96,14 +110,15 @@ def over(composition: Composition, question: str) -> list[str]:
 def asked(composition: Composition, question: str) -> bool:
     """Put the question, and often a second one, into the scene; False where it can't be asked."""
     states = list(composition.sections.get("states", {}))
-    if question == "period":
-        if states:
+    if question in SWINGS:
+        if states or (question == "modes" and len(composition.bodies) < 2):
             return False
-        composition.put("find", "x1", "period of small swings")
+        word = composition.chance.choice(ASKED[question])
+        composition.put("find", "x1", word if question == "modes" else f"{word} of small swings")
         return True
     if not states and question != "inertia":
         return False
-    spans = over(composition, question) if question in ("time", "work", "lost energy") else []
+    spans = over(composition, question) if question in SPANS else []
     at = f" at {composition.chance.choice(states)}" if states and question != "inertia" else ""
     found = spans or [f"{text}{at}" for text in options(composition, question)]
     if not found:

@@ -89,6 +89,7 @@ KINDS = (
     Kind("disc", shaped("disc", radius="R"), points=ROUND, rims=("",)),
     Kind("ring", shaped("ring", radius="R"), points=ROUND, rims=("",)),
     Kind("sphere", shaped("sphere", radius="R"), points=ROUND, rims=("",)),
+    Kind("half ball", shaped("hemisphere", radius="R"), points=("center", "cm"), rims=("",)),
     Kind("annulus", annulus, points=(*ROUND, "inner", "outer"), rims=("", "outer")),
     Kind("spool", spool, points=("center", "big", "small"), rims=("big", "small")),
     Kind("plate", plate, points=("center", "corner1", "corner2", "P")),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from compositions.guided import flat_on_a_table, in_a_collar, in_two_slots, on_a_round, with_resistance
 from compositions.parts import LINE, PLANE, ROLL, SWING, TURN, Composition
 
 Hold = Callable[[Composition, str], bool | None]
@@ -145,4 +146,9 @@ HOLDS: dict[str, Hold] = {
     "spring": spring,
     "on a truck": on_truck,
     "shaft": shaft,
+    "on a round": on_a_round,
+    "in two slots": in_two_slots,
+    "rolls with resistance": with_resistance,
+    "in a collar": in_a_collar,
+    "flat on a table": flat_on_a_table,
 }

@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from compositions.body import KINDS
+from compositions.coupled import (
+    bounced,
+    clutched,
+    in_a_slot,
+    in_a_tube,
+    on_a_spring_between,
+    on_an_arm,
+    round_a_post,
+)
 from compositions.parts import LINE, ROLL, SWING, TURN, Composition
 
 Join = Callable[[Composition], bool | None]
-
-
-def second(composition: Composition, *words: str) -> None:
-    """A second body, of one of the kinds."""
-    word = composition.pick(*words)
-    composition.add(next(kind for kind in KINDS if kind.word == word), "two")
 
 
 def alone(composition: Composition) -> bool | None:
@@ -21,14 +24,14 @@ def alone(composition: Composition) -> bool | None:
 
 
 def welded(composition: Composition) -> bool | None:
-    second(composition, "particle", "rod", "disc", "loaded wheel")
+    composition.second("particle", "rod", "disc", "loaded wheel")
     ends = [composition.place("one"), composition.place("two")]
     composition.put("connections", "bolt", {"weld": ends if composition.often(0.7) else ends[::-1]})
     return None
 
 
 def hinged(composition: Composition) -> bool | None:
-    second(composition, "rod", "hammer", "disc", "plate")
+    composition.second("rod", "hammer", "disc", "plate")
     composition.put("connections", "joint", {"hinge": [composition.place("one"), composition.place("two")]})
     composition.ways["two"] = SWING
     return None
@@ -38,9 +41,9 @@ def hung(composition: Composition) -> bool | None:
     """A weight on a string from a rim, or from a body over a pulley."""
     kind = composition.kinds["one"]
     way = composition.ways["one"]
-    if "truck" in composition.bodies:
+    if "truck" in composition.bodies or (way == TURN and not kind.rims):
         return False
-    second(composition, "particle", "plate")
+    composition.second("particle", "plate")
     composition.bodies["two"]["moves"] = composition.pick("up", "down")
     composition.ways["two"] = LINE
     composition.tied += ["two", "pulley"]
@@ -61,9 +64,9 @@ def hung(composition: Composition) -> bool | None:
 
 
 def geared(composition: Composition) -> bool | None:
-    if composition.ways["one"] != TURN or "truck" in composition.bodies:
+    if composition.ways["one"] != TURN or "truck" in composition.bodies or not composition.kinds["one"].rims:
         return False
-    second(composition, "disc", "ring", "annulus")
+    composition.second("disc", "ring", "annulus")
     rim = composition.chance.choice(composition.kinds["one"].rims)
     ends = [f"one.{rim}" if rim else "one", "two"]
     word = composition.pick("gear", "belt")
@@ -93,7 +96,7 @@ def ridden(composition: Composition) -> bool | None:
     """A block or a roller on the back of the first body."""
     if composition.ways["one"] != LINE or composition.bodies["one"].get("moves") in ("up", "down"):
         return False
-    second(composition, "particle", "disc", "ring")
+    composition.second("particle", "disc", "ring")
     composition.bodies["two"]["moves"] = composition.pick("left", "right")
     composition.ways["two"] = ROLL if composition.kinds["two"].rims else LINE
     composition.put("connections", "touch", {"contact": ["two", "one"], "friction": composition.friction()})
@@ -102,7 +105,7 @@ def ridden(composition: Composition) -> bool | None:
 
 def mounted(composition: Composition) -> bool | None:
     """A wheel on an axle that the first body carries or shares, or on a pin of one that turns."""
-    second(composition, "disc", "ring", "loaded wheel")
+    composition.second("disc", "ring", "loaded wheel")
     shared = composition.ways["one"] in (LINE, ROLL) or (composition.has("axle") and "truck" not in composition.bodies)
     carried = {"axle": ["one", "two"]} if shared else {"hinge": [composition.place("one"), "two.center"]}
     composition.put("connections", "spindle", carried)
@@ -112,7 +115,7 @@ def mounted(composition: Composition) -> bool | None:
 
 def struck(composition: Composition) -> bool | None:
     """A particle that flies at the first body, and sticks to it or bounces off."""
-    second(composition, "particle")
+    composition.second("particle")
     upright = composition.bodies["one"].get("moves") in ("up", "down") and not composition.has("contact")
     ways = (
         ("up", "down") if upright else ("left", "right", "up", "down")
@@ -138,4 +141,11 @@ JOINS: dict[str, Join] = {
     "ridden": ridden,
     "mounted": mounted,
     "struck": struck,
+    "clutched": clutched,
+    "on an arm": on_an_arm,
+    "round a post": round_a_post,
+    "on a spring between": on_a_spring_between,
+    "in a tube": in_a_tube,
+    "in a slot": in_a_slot,
+    "bounced": bounced,
 }

@@ -17,7 +17,9 @@ RANGES = {  # unit: smallest and largest size, so that what is drawn is of one s
     "N/m": (20.0, 200.0),
     "N m/rad": (5.0, 50.0),
     "N m s": (0.05, 0.5),
+    "N s/m": (0.2, 3.0),
     "s": (0.1, 1.5),
+    "mm": (0.5, 5.0),
     "": (0.05, 0.9),
     "deg": (8.0, 82.0),
 }

@@ -6,11 +6,11 @@ import random
 from dataclasses import dataclass, field
 from typing import Any
 
-from compositions.body import Kind
+from compositions.body import KINDS, Kind
 from compositions.letters import Letters
 from trials.scene import Scene
 
-LINE, TURN, SWING, PLANE, ROLL = "line", "turn", "swing", "plane", "roll"  # ways of moving
+LINE, TURN, SWING, PLANE, ROLL, ARC = "line", "turn", "swing", "plane", "roll", "arc"  # ways of moving
 
 
 @dataclass
@@ -25,6 +25,7 @@ class Composition:
     sections: dict[str, dict[str, Any]] = field(default_factory=dict)
     loose: list[str] = field(default_factory=list)  # bodies that fly towards the others
     tied: list[str] = field(default_factory=list)  # bodies whose speed follows from that of the first, or that rest
+    riders: list[str] = field(default_factory=list)  # beads that slide freely along the first body
     gripped: list[str] = field(
         default_factory=list
     )  # round bodies that roll, so that their turn follows from their travel
@@ -35,6 +36,11 @@ class Composition:
     def add(self, kind: Kind, name: str) -> None:
         self.kinds[name] = kind
         self.bodies[name] = kind.entry(self.letters, name)
+
+    def second(self, *words: str) -> None:
+        """A second body, of one of the kinds."""
+        word = self.pick(*words)
+        self.add(next(kind for kind in KINDS if kind.word == word), "two")
 
     def put(self, section: str, name: str, entry: Any) -> None:
         self.sections.setdefault(section, {})[name] = entry
@@ -52,6 +58,10 @@ class Composition:
     def places(self, name: str) -> list[str]:
         """All points of a body."""
         return self.kinds[name].places(name, self.bodies[name])
+
+    def middle(self, name: str) -> str:
+        """Its centre, or itself where it is a particle."""
+        return f"{name}.center" if self.kinds[name].rims else name
 
     def friction(self) -> str:
         """What a rough contact says: a coefficient, `any` or `none`."""

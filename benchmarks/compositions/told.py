@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from compositions.parts import LINE, PLANE, ROLL, SWING, TURN, Composition
+from compositions.parts import ARC, LINE, PLANE, ROLL, SWING, TURN, Composition
 
 Lines = dict[str, Any]
 SPEED = {
     LINE: ("velocity", "m/s"),
     ROLL: ("velocity", "m/s"),
+    ARC: ("velocity", "m/s"),
     TURN: ("angular_velocity", "rad/s"),
     SWING: ("angular_velocity", "rad/s"),
 }
@@ -26,7 +27,16 @@ def angles(composition: Composition) -> Lines:
             told = composition.pick("0", "30 deg", "-90 deg", "60 deg", "-40 deg", "120 deg")
             leaning = composition.pick("50 deg", "70 deg") if composition.has("contact") else told
             found[f"{name}.angle"] = leaning
+        if way == ARC:
+            found["base.angle"] = composition.pick("90 deg", "60 deg", "-90 deg", "-30 deg", "200 deg")
+        if way == ROLL and uneven(composition, name):
+            found[f"{name}.angle"] = composition.pick("-90 deg", "-60 deg", "30 deg", "180 deg")
     return found
+
+
+def uneven(composition: Composition, name: str) -> bool:
+    """Whether the centre of mass of what rolls is off its middle, so that it matters how it stands."""
+    return name in composition.kinds and composition.kinds[name].word in ("half ball", "loaded wheel")
 
 
 def speeds(composition: Composition) -> Lines:
@@ -54,6 +64,7 @@ def first(composition: Composition, *, moving: bool) -> Lines:
     """The lines of the first state."""
     lines = {
         **angles(composition),
+        **riding(composition, moving=moving),
         **{f"{name}.elongation": composition.letters.new("x", "m") for name in composition.has("spring")[:1]},
     }
     if moving:
@@ -63,6 +74,16 @@ def first(composition: Composition, *, moving: bool) -> Lines:
         told = {f"{name}.velocity": composition.letters.new("u", "m/s") for name in composition.loose}
         return {**lines, "at rest": rest, **told}
     return {**lines, "at rest": "all"}
+
+
+def riding(composition: Composition, *, moving: bool) -> Lines:
+    """Where beads are that slide along the first body, and how fast."""
+    found: Lines = {}
+    for name in composition.riders:
+        found[f"{name}.radius"] = composition.letters.new("s", "m")
+        if moving:
+            found[f"{name}.velocity.radial"] = composition.letters.new("v", "m/s")
+    return found
 
 
 def states(composition: Composition, start: Lines, later: Lines | None) -> bool | None:
@@ -105,6 +126,12 @@ def farther(composition: Composition) -> bool | None:
     start = first(composition, moving=composition.often(0.4))
     if way == SWING:
         return states(composition, start, {"one.angle": composition.pick("-90 deg", "10 deg", "-20 deg", "45 deg")})
+    if way == ARC:
+        return states(composition, start, {"base.angle": composition.pick("0 deg", "45 deg", "-90 deg", "120 deg")})
+    if composition.riders:
+        return states(composition, start, {f"{composition.riders[0]}.radius": composition.letters.new("s", "m")})
+    if way == PLANE:
+        return states(composition, start, {"one.displacement.y": composition.pick("0", "-1 m", "0.2 m")})
     if way not in WAY:
         return False
     word, unit = WAY[way]
@@ -117,6 +144,22 @@ def stops(composition: Composition) -> bool | None:
     if way not in SPEED or "one" in composition.tied:
         return False
     return states(composition, first(composition, moving=True), {f"one.{SPEED[way][0]}": "0"})
+
+
+def sticks(composition: Composition) -> bool | None:
+    """Until what slips holds."""
+    slipping = [*composition.has("clutch"), *composition.has("contact")]
+    if not slipping or "one" in composition.tied:
+        return False
+    word = "rolls" if composition.ways["one"] == ROLL and composition.often(0.7) else "sticks"
+    return states(composition, first(composition, moving=True), {slipping[0]: word})
+
+
+def leaves(composition: Composition) -> bool | None:
+    """Until it leaves a round track."""
+    if composition.ways["one"] != ARC:
+        return False
+    return states(composition, first(composition, moving=composition.often(0.5)), {"base": "leaves"})
 
 
 def balanced(composition: Composition) -> bool | None:
@@ -146,6 +189,8 @@ TOLD: dict[str, Callable[[Composition], bool | None]] = {
     "later": later,
     "farther": farther,
     "stops": stops,
+    "sticks": sticks,
+    "leaves": leaves,
     "balanced": balanced,
     "swings": swings,
 }

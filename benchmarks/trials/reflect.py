@@ -18,7 +18,7 @@ from trials.scene import Scene
 SIDES = {"left": "right", "right": "left", "clockwise": "counterclockwise", "counterclockwise": "clockwise"}
 CORNERS = {"corner1": "corner2", "corner2": "corner1", "corner3": "corner4", "corner4": "corner3"}
 WAYS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
-DRAWN = ("triangle", "polygon", "lamina", "arc", "rope")  # shapes that are no mirror images of themselves
+DRAWN = ("triangle", "polygon", "lamina", "arc", "hemisphere", "rope")  # shapes that are no mirror images of themselves
 SIDED = ("corners", "holes", "parts", "region", "velocity", "angle", "angular_velocity", "position", "acceleration")
 ASYMMETRIC = ("shaft", "drapes", "press", "weld", "angle", "rides")  # connections that know left from right
 AT_A_POINT = ("hinge", "spring")  # connections for which a rim is the place on its right
@@ -71,6 +71,8 @@ def on_a_rim(text: str, scene: Scene) -> bool:
 
 def lying(scene: Scene) -> set[str]:
     """The bodies that lie or roll on something."""
+    if scene.get("plane") == "horizontal":  # on a table, on which it may turn
+        return set()
     pairs = [item.get("rolls") or item.get("contact") for item in scene.get("connections", {}).values()]
     return {pair[0] for pair in pairs if pair}
 

@@ -12,9 +12,9 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import on_rim, part_of, radius_of
 from rotsolve.confirm.jet import Jet, arctangent, distance
-from rotsolve.confirm.lines import from_middle
 from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
+from rotsolve.confirm.sides import from_middle
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import BY_INERTIA, TURNING
 from rotsolve.elements.connections.contact import Contact, Rolls
@@ -94,7 +94,7 @@ def axle(item: Axle, pose: Pose, model: Known) -> Held:
     for ref in wheels:
         x, y = place_of(ref, pose, model)
         if carrier is not None:
-            u, w = tied_at(carrier, pose, model)
+            u, w = place_of(carrier, pose, model)
             x, y = x - u, y - w
         tail = f"_{ref.owner}" if len(item.axle) > 1 else ""
         yield held(item.name, f"x{tail}", x, pose, hard=carrier is not None)
@@ -232,10 +232,10 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
 def back_of(item: Touch, under: PointRef, pose: Pose, model: Known) -> tuple[Pair, Jet]:
     """Where the body is on which something lies flat, and how far its rim has turned back under that: a roller's goes at R ω besides."""
     body = model.body(under.owner)
-    radius = radius_of(body, under.point, model.value)
+    radius = radius_of(body, under.point, model.value) if item.side is None else None
     if radius is not None:
         return pose.place(under.owner, model.spot(PointRef(under.owner))), pose.turn(under.owner) * radius
-    if not rests(item, model) or shape_of(body).points[:1] == ("corner1",):
+    if not rests(item, model) or (item.side is None and shape_of(body).points[:1] == ("corner1",)):
         raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
     return pose.place(under.owner, model.seats[under.owner].rigid.centre), Jet(0.0)
 

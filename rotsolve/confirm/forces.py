@@ -200,7 +200,7 @@ def aimed(
     side = side_of(model.body(name), on.point)
     if side is not None and radius is not None and (name, on.point) not in model.marks:
         return pose.spatial(name, model.spot(on), (radius * side[0], radius * side[1])), way
-    return model.drawn(on) if on.point is not None else model.seats[name].rigid.centre, way
+    return model.drawn(on), way
 
 
 def couple(item: AppliedCouple, pose: Pose, model: Known) -> Pushes:

@@ -37,7 +37,7 @@ class InForce:
         self.bodies = {body.name: self._body(body) for body in problem.bodies}
 
     def _gone(self) -> frozenset[str]:
-        """What events have taken away, or have yet to begin; what the phase that follows does without."""
+        """What events have taken away, or have yet to begin; what the phase does without that follows, else that which ends there."""
         gone = {name for event in self.problem.events for name in event.begins()}
         passed: list[Event] = []
         for event in sorted(self.past, key=lambda event: self.order.get(event.to or "", 0)):
@@ -47,10 +47,10 @@ class InForce:
             gone |= {*event.ends(self.problem.connections), *(item.name for item in self.lifted[event.name])}
             gone -= set(event.begins())
             passed.append(event)
-        if not any(self.order.get(event.from_ or "") == self.index for event in self.problem.events):
-            following = [phase for phase in self.problem.phases if phase.start == self.state.name]
-            gone |= {name for phase in following for name in phase.without}
-        return frozenset(gone)
+        struck = any(self.order.get(event.from_ or "") == self.index for event in self.problem.events)
+        ends = struck or self.index == len(self.states) - 1
+        phases = [phase for phase in self.problem.phases if self.state.name == (phase.end if ends else phase.start)]
+        return frozenset(gone.union(*(phase.without for phase in phases)))
 
     def _connections(self) -> tuple[Connection, ...]:
         """Those that have not been taken away, nor a body with them; of several on one fixed axle the others stay."""

@@ -13,6 +13,7 @@ from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merged, sine
 from rotsolve.confirm.pose import Pair, Pose, along, load
 from rotsolve.confirm.rows import Grip, Row
+from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
 from rotsolve.confirm.signs import RIGHT, UP, carrier_travels, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
@@ -143,6 +144,8 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
             return from_axis(path.owner, pose, model)
         return None
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
+    if path.quantity == "displacement" and (item := on_side(path.owner, model)) is not None:
+        return gone_down(item, pose, model, gone=True)
     if isinstance(contact, Drapes) and path.quantity == "length":
         from rotsolve.confirm.carried import hanging
 
@@ -200,30 +203,32 @@ def from_axis(name: str, pose: Pose, model: Known) -> Jet | None:
 
 
 def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
+    """The contact by which a body is on a curved surface of known form that does not move."""
+    found = on_curve(name, model)
+    return None if found is None or found[0].side is not None else found
+
+
+def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body is on a curved surface of known form."""
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name:
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and surface.radius() is not None and not carrier_travels(item, model):
+            if isinstance(surface, Curved) and surface.radius() is not None and on_known(item, model):
                 return item, surface
     return None
 
 
-def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
-    """Where the centre of a body is, as seen from the middle of the curved surface on which it lies."""
-    x, y = pose.place(item.lying(), (0.0, 0.0))
-    under = item.pair()[1].owner
-    if under not in model.seats:
-        return x, y
-    u, w = pose.place(under, model.spot(PointRef(under)))
-    return x - u, y - w
+def on_known(item: Touch, model: Known) -> bool:
+    """Whether a curved surface is a side of a body, or stands still, or turns on an axle of its own."""
+    return item.side is not None or not carrier_travels(item, model)
 
 
 def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body that flies now was on a curved surface of known form."""
     lying = {item.lying() for item in model.acting.connections}
     for item in taken_from_under(model) if name not in lying else ():
-        places = [surface for surface in model.problem.surfaces if surface.name in {ref.owner for ref in item.places()}]
+        names = {ref.owner for ref in item.places()} | ({item.side.name} if item.side is not None else set())
+        places = [surface for surface in model.problem.surfaces if surface.name in names]
         curved = [surface for surface in places if isinstance(surface, Curved) and surface.radius() is not None]
         if item.lying() == name and curved:
             return item, curved[0]
@@ -241,10 +246,10 @@ def circle_of(found: tuple[Touch, Curved], model: Known) -> float:
 
 def height(name: str, pose: Pose, model: Known) -> Jet | None:
     """Of a body on a curved surface, or that has left one: above the centre of a dome, above the lowest place in a bowl."""
-    found = bent(name, model) or left_from(name, model)
+    found = on_curve(name, model) or left_from(name, model)
     if found is None:
         return None
-    return pose.place(name, (0.0, 0.0))[1] + (0.0 if found[1].outside else circle_of(found, model))
+    return from_middle(found[0], pose, model)[1] + (0.0 if found[1].outside else circle_of(found, model))
 
 
 def arc(name: str, pose: Pose, model: Known) -> Jet | None:
@@ -269,6 +274,10 @@ def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
             way = direction(path, place, pose, model)
             return None if way is None else (load(place, way), 1.0)
         return momentum_rate(path, pose, model)
+    if word == "velocity" and (sliding := on_side(name, model)) is not None:
+        return gone_down(sliding, pose, model).slope, 1.0
+    if word == "velocity" and (rounding := on_round_side(name, model)) is not None:
+        return load(from_middle(rounding, pose, model), way_round(rounding, pose, model)), 1.0
     if word == "angular_velocity":
         item = next((item for item in model.acting.connections if item.name == name), None)
         owners = [ref.owner for ref in (item.between() or item.touches()) if ref.owner in model.seats] if item else []

@@ -210,13 +210,13 @@ class Model:
         return self.drawn(self.middle(ref))
 
     def middle(self, ref: PointRef) -> PointRef:
-        """The point that a body named alone stands for: the centre of a wheel, else the centre of mass."""
-        return PointRef(ref.owner, "cm") if ref.point is None and not is_round(self.body(ref.owner)) else ref
+        """The point that a body named alone stands for: its centre; without one, or put together of parts, its centre of mass."""
+        body = self.body(ref.owner)
+        centred = is_round(body) or (not (body.parts or body.holes) and "center" in shape_of(body).points)
+        return ref if ref.point is not None or centred else PointRef(ref.owner, "cm")
 
     def meeting(self, ref: PointRef, turn: float) -> Spot:
-        """Where a body that is turned so far is hit: a named point, that of a rim as it is in space, else the centre of mass."""
-        if ref.point is None:
-            return self.seats[ref.owner].rigid.centre
+        """Where a body that is turned so far is hit: a named point, that of a rim as it is in space, else its centre."""
         side = side_of(self.body(ref.owner), ref.point)
         if side is None or (ref.owner, ref.point) in self.marks:
             return self.drawn(ref)

@@ -6,11 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 from rotsolve.confirm.bodies import radius_of
-from rotsolve.confirm.lines import bent, circle_of
+from rotsolve.confirm.lines import circle_of, on_curve
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import GROUND, carrier_of
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.supports import Axle, Hinge
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 
@@ -33,18 +34,29 @@ def seated(model: Known) -> list[float]:
     for number, name in enumerate(model.seats):
         if name in known:
             continue
-        found = bent(name, model)
-        if found is not None:
-            angle, circle = told_angle(found[0].name, model), circle_of(found, model)
-            if angle is None:
-                angle = beside(found[1], circle, model)
-            put(name, (0.0, 0.0), (circle * math.cos(angle), circle * math.sin(angle)), q, model)
+        found = on_curve(name, model)
+        if found is not None and found[0].side is None:
+            put_on_curve(found, (0.0, 0.0), q, model)
             known.add(name)
         elif not any(name in (one.owner, two.owner) for one, two in joints):
             put(name, model.seats[name].rigid.centre, (float(number + 1), 0.0), q, model)
             known.add(name)
     spread_out(joints, known, q, model)
+    for name in model.seats:  # what lies on a side of a body goes where that is
+        found = on_curve(name, model)
+        if found is not None and found[0].side is not None:
+            under = found[0].pair()[1].owner
+            put_on_curve(found, where(under, model.seats[under].rigid.centre, q, model), q, model)
     return q
+
+
+def put_on_curve(found: tuple[Touch, Curved], middle: Way, q: list[float], model: Known) -> None:
+    """Moves a body to where it is on a curved surface round a middle."""
+    angle, circle = told_angle(found[0].name, model), circle_of(found, model)
+    if angle is None:
+        angle = beside(found[1], circle, model)
+    place = (middle[0] + circle * math.cos(angle), middle[1] + circle * math.sin(angle))
+    put(found[0].lying(), (0.0, 0.0), place, q, model)
 
 
 def spread_out(joints: list[Joint], known: set[str], q: list[float], model: Known) -> None:
@@ -82,8 +94,7 @@ def joints_of(model: Known) -> list[Joint]:
                 found.append((item.hinge[0], item.hinge[1]))
         elif isinstance(item, Axle):
             carrier = carrier_of(item, model)
-            mount = None if carrier is None else model.middle(carrier)
-            found += [(mount, ref) for ref in item.axle if mount is not None and ref is not carrier]
+            found += [(carrier, ref) for ref in item.axle if carrier is not None and ref is not carrier]
         elif item.joined():
             found.append((item.joined()[0], item.joined()[1]))
     riders = [ride for item in model.acting.connections if (ride := item.ride()) is not None]

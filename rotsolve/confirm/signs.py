@@ -69,6 +69,8 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
     if item.leaning:
         return None
     under = item.pair()[1]
+    if item.side is not None:
+        return item.side
     if under.owner in model.acting.bodies:
         if (bent := rim_under(item, model)) is not None:
             return bent
@@ -213,7 +215,7 @@ def line(name: str, model: Known) -> Way | None:
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
-            if surface is not None and not isinstance(surface, Curved):
+            if surface is not None and not isinstance(surface, Curved) and not taken_aside(item, surface, model):
                 return travel(surface, body.moves, model)
             bent = True
         if isinstance(item, Drapes) and item.drapes[0].owner == name:
@@ -223,6 +225,12 @@ def line(name: str, model: Known) -> Way | None:
     if body.moves and name not in {item.lying() for item in taken_from_under(model)}:
         return WORDS[body.moves]
     return UP if model.upright and hangs(name, model) else None
+
+
+def taken_aside(item: Touch, surface: Surface, model: Known) -> bool:
+    """Whether the body whose side that is goes another way than along it."""
+    own, out = None if item.side is None else model.way(item.pair()[1].owner), normal(surface, model)
+    return item.side is not None and (own is None or abs(own[0] * out[0] + own[1] * out[1]) > 1e-12)
 
 
 def hangs(name: str, model: Known) -> bool:
@@ -257,7 +265,8 @@ def sense(name: str, model: Known) -> int:
             if isinstance(surface, Curved):
                 return round_way(surface, body.moves) * (1 if surface.outside else -1)
             if surface is not None and name not in model.held:
-                ahead, right = travel(surface, body.moves, model), turned(normal(surface, model), -1)
+                moves = "down" if taken_aside(item, surface, model) else body.moves
+                ahead, right = travel(surface, moves, model), turned(normal(surface, model), -1)
                 return -1 if ahead[0] * right[0] + ahead[1] * right[1] > 0 else 1
         if isinstance(item, Drapes) and item.drapes[1].owner == name:
             return 1 if model.body(item.drapes[0].owner).moves == "left" else -1

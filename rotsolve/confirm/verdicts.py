@@ -160,7 +160,13 @@ def withheld(derivation: Derivation, problem: Problem) -> Derivation:
     answers = tuple(answer for answer in derivation.answers if answer.name not in refused)
     told = tuple(Refusal(name, fault) for name, fault in refused.items())
     return replace(
-        derivation, answers=answers, sections=(), trials=(), insights=(), refused=(*derivation.refused, *told)
+        derivation,
+        answers=answers,
+        sections=(),
+        trials=(),
+        insights=(),
+        second=(),
+        refused=(*derivation.refused, *told),
     )
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 Words = tuple["str | Formula", ...]
 NEXT = "\n"  # a part of the remark of a law behind which another sentence begins
+SHOWN = "\t"  # a part of a sentence that stands before and behind what has a line of its own
 
 
 def in_a_row(letters: Iterable[Formula]) -> Words:
@@ -50,6 +51,17 @@ def sentences(words: Words) -> tuple[Words, ...]:
         else:
             found[-1] = (*found[-1], part)
     return tuple(found)
+
+
+def in_lines(sentence: Words) -> tuple[Words, ...]:
+    """The lines of a sentence, in which what has one of its own keeps its sign before it; signs behind nothing are left out."""
+    found: list[Words] = [()]
+    for part in sentence:
+        if part != SHOWN:
+            found[-1] = (*found[-1], part)
+        else:
+            found.append(() if found[-1][:1] == (SHOWN,) else (SHOWN,))
+    return tuple(line for line in found if line not in ((), (SHOWN,)))
 
 
 class Equality(Struct, frozen=True):
@@ -100,7 +112,8 @@ class Move(Struct, frozen=True):
 
     `reason` says why where a choice is made ("the rod turns clockwise: ω < 0"). What is `put` into which equation stands there letter by
     letter; nothing for what is no step of that kind. Of an equation solved before, `another` root is meant. `divisor` is the equation by
-    which it was divided.
+    which it was divided. Behind what is put in, several letters that hang on others, `alone` is all that is unknown; where one
+    equation is divided by another it is what cancels.
     """
 
     sources: str
@@ -111,6 +124,7 @@ class Move(Struct, frozen=True):
     into: str = ""
     another: bool = False
     divisor: str = ""
+    alone: Formula | None = None
 
 
 class Section(Struct, frozen=True):
@@ -180,7 +194,7 @@ class Check(Struct, frozen=True):
     """One confirmation, or one objection when `holds` is False; None where it could not be decided. `label` says how it failed.
 
     What is said of a letter that is `vanishing` goes for a case that holds however small it is, of one that is `growing` however large.
-    A second way goes by a `law` of FAMILIES; what is `bare` says that all agrees, and
+    What is a `limit` stands by itself. A second way goes by a `law` of FAMILIES; what is `bare` says that all agrees, and
     shows nothing of it. `more` says that letters have more cases, which are not worked out.
     """
 
@@ -189,6 +203,7 @@ class Check(Struct, frozen=True):
     label: str = ""
     vanishing: str = ""
     growing: str = ""
+    limit: bool = False
     law: str = ""
     bare: bool = False
     more: bool = False
@@ -238,7 +253,7 @@ class Derivation(Struct, frozen=True):
     `refused` are the questions that have no answer; they take no other with them.
     `places` are those of the points on bodies, `events` what happens at each.
     `confirmed` says of each answer whether an assembly of all bodies' equations gives the same; nothing where nobody asked. `insights` are
-    sentences about what the answers say.
+    sentences about what the answers say, `second` finds one of them once more in a way of its own.
     """
 
     title: str
@@ -256,5 +271,6 @@ class Derivation(Struct, frozen=True):
     refused: tuple[Refusal, ...] = ()
     confirmed: tuple[AnswerConfirmation, ...] = ()
     insights: tuple[Words, ...] = ()
+    second: tuple[Section, ...] = ()
     places: tuple[Words, ...] = ()
     events: tuple[Words, ...] = ()

@@ -167,6 +167,7 @@ WAY_OF_SLIP = Law("way of an even slip", "way by which {owner} slides", cost=1, 
 # momentum and angular momentum
 
 MOMENTUM = Law("momentum", "{words}", ANGULAR_MOMENTUM, 3)
+CENTRE_STAYS = Law("momentum summed over the time", "{words}", ANGULAR_MOMENTUM, 5)
 BLOWS = Law("blows", "impulse = change of momentum, {body}", ANGULAR_MOMENTUM, 4)
 TWISTS = Law("twists", "angular impulse = change of angular momentum, {body}{about}", ANGULAR_MOMENTUM, 4)
 UNTWISTED = Law("untwisted", "no angular impulse, {body}{about}", ANGULAR_MOMENTUM, 3)

@@ -95,6 +95,7 @@ class Role(Struct, frozen=True):
     powered: bool = False  # known by its power
     pulls: bool = False  # along a string
     presses: bool = False  # across a surface
+    loads: bool = False  # of these, by what lies on the body, which does not hold it
     rubs: bool = False  # along a surface or at an axle, against the slip or as large as it takes to prevent it
     springs: bool = False  # by how far a spring is stretched
     holds: bool = False  # what a support does to what it holds
@@ -110,6 +111,7 @@ HANGING = Role("hanging", stores=True)  # the weight of a part of a rope
 TENSION = Role("tension", pulls=True)
 SLIPPING = Role("tension of a rope that slips on a post", pulls=True, loses=True)
 NORMAL = Role("normal", presses=True)
+LOAD = Role("load", presses=True, loads=True)
 FRICTION = Role("friction", loses=True, rubs=True)
 SHARED_FRICTION = Role(
     "friction shared over a face",
@@ -349,6 +351,11 @@ class BodyFacts(Struct, frozen=True):
     def acting(self) -> tuple[Force | Couple, ...]:
         """All that acts on it, forces before couples."""
         return (*self.forces, *self.couples)
+
+    @property
+    def supported(self) -> bool:
+        """Whether something on which it lies presses on it."""
+        return any(force.role.presses and not force.role.loads for force in self.forces)
 
     @property
     def about(self) -> Vector:

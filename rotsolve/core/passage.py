@@ -70,6 +70,9 @@ class Passage(Struct, frozen=True):
     linked: tuple[
         tuple[str, Formula, Formula], ...
     ] = ()  # bodies, their ways along lines, and these by the angles of what leads them
+    ways: Mapping[
+        str, tuple[Formula | None, Formula | None]
+    ] = {}  # of what moves freely with others: to the right and up
 
 
 class Meeting(Struct, frozen=True):

@@ -57,9 +57,9 @@ class CaseTeller(Struct, frozen=True):
         ends = () if len(full) > 1 else at_ends_of_ranges(answers, self.space)
         checks = (*own, *ends, *doubts_besides(main, self.good), *self.failing(set(named)))
         said = (*main.conventions, *((words,) for words in (*self.space.assumptions(), *limits_told(self.space))))
-        insights = main.insights if len(told) <= 1 else ()  # else they are of one case
+        insights, second = (main.insights, main.second) if len(told) <= 1 else ((), ())  # else they are of one case
         changes = {"sections": sections, "checks": checks, "conventions": said, "refused": refused}
-        return replace(main, answers=answers, insights=insights, **changes)
+        return replace(main, answers=answers, insights=insights, second=second, **changes)
 
     def goes_for(self, check: Check, case: Solved) -> bool:
         """Whether what is said of a letter that is next to nothing, or beyond all measure, is said of a case that holds there."""

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from rotsolve.algebra.exact.normal import is_zero, without_direction
-from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Quotient, Symbol
-from rotsolve.algebra.units.dimension import ANGLE, MASS, NONE, TIME, Dimension, DimensionError, dimension_of
-from rotsolve.core.derivation import Check, Words
+from rotsolve.algebra.formula import ZERO, Symbol
+from rotsolve.algebra.units.dimension import TIME, DimensionError, dimension_of
+from rotsolve.core.derivation import Check
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.letters import Given
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.core.symbols import POSITION, has_quantities
+from rotsolve.core.symbols import POSITION
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters, listed
-from rotsolve.derivation.ranges import in_proportion
+from rotsolve.derivation.limits import limit_checks
 from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
 from rotsolve.language.problem import TimeValue
 from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
-from rotsolve.search.answers import Answered
 from rotsolve.search.consistency import KnownBalls
 from rotsolve.search.openings import stops
-from rotsolve.search.search import Search, is_unreal
+from rotsolve.search.search import Search
 
 
 def dimensions(search: Search) -> Iterator[Check]:
@@ -42,79 +38,6 @@ def dimensions(search: Search) -> Iterator[Check]:
             yield Check((f"the dimensions of an answer do not agree: {error}",), False)
     if checked:
         yield Check(("dimensions agree",))
-
-
-AT_CENTRE, FAR_OUT = "all mass at the centre", "all mass far out"
-SHORT = 3  # a limit is told when its value is no longer than this many nodes
-SHORT_FAR = 9  # and this one, ½ m v², of what lies ever further out
-FEW, LONGEST = 6, 120  # nodes of a formula of which limits are looked at: shorter ones show them, longer ones take long
-
-
-def limit_checks(search: Search) -> Iterator[Check]:
-    """What becomes of an answer when a mass is left out, and when a pure number or an angle is nothing: of each the most telling one."""
-    plain = not search.scene.modes  # else a body that slides may stick when an angle is small
-    for dimensions, least in ((MASS,), 1), ((NONE, ANGLE), 0):
-        found = [
-            item
-            for item in vanishing_letters(search, dimensions)
-            if item[0] >= least and (least or plain or spreads(search.givens[item[1].vanishing], search))
-        ]
-        if found:
-            _, check, answered = min(found, key=lambda item: item[0])
-            yield check
-            yield from as_mass_spreads(answered, check.vanishing, search)
-
-
-def vanishing_letters(search: Search, dimensions: Sequence[Dimension]) -> Iterator[tuple[int, Check, Answered]]:
-    """What the first answers come to without a letter of some dimensions, by how long that is: 0 is nothing, 1 a letter."""
-    for answered in search.wholes()[:2]:
-        formula = answered.found.formula
-        if answered.asked.find.runs or formula is None or has_quantities(formula):
-            continue
-        if not FEW <= length(formula) <= LONGEST:
-            continue
-        letters = [given for given in search.givens.values() if given.name in formula.symbols()]
-        for given in (given for given in letters if given.dimension in dimensions):
-            value = limit(formula, given.name, search)
-            if value is None or length(value) > SHORT or value == formula:
-                continue
-            if is_unreal(value, search):  # there is no such motion without it
-                continue
-            meant = f" → 0 ({AT_CENTRE}) gives " if spreads(given, search) else " → 0 gives "
-            words: Words = (Symbol(given.name), meant, Symbol(answered.asked.find.name), " = ", value)
-            yield length(value) if value != ZERO else 0, Check(words, vanishing=given.name), answered
-
-
-def as_mass_spreads(answered: Answered, name: str, search: Search) -> Iterator[Check]:
-    """What becomes of an answer as a pure number of moments of inertia grows, β in β m R²: the mass lies ever further out."""
-    formula = answered.found.formula
-    if formula is None or not spreads(search.givens[name], search):
-        return
-    far = limit(search.solver.simplify(formula.substitute({name: ONE / Symbol(name)})), name, search)
-    if far is not None and length(far) <= SHORT_FAR:
-        yield Check(
-            (Symbol(name), f" → ∞ ({FAR_OUT}) gives ", Symbol(answered.asked.find.name), " = ", far), growing=name
-        )
-
-
-def spreads(given: Given, search: Search) -> bool:
-    """Whether a letter is the pure number of a moment of inertia, which tells how far out the mass lies."""
-    inertias = [body.inertia for body in search.scene.configuration.problem.bodies if body.inertia is not None]
-    held = [inertia for inertia in inertias if given.name in inertia.symbols()]
-    return given.dimension == NONE and bool(held) and all(in_proportion(inertia, given.name) for inertia in held)
-
-
-def limit(formula: Formula, name: str, search: Search) -> Formula | None:
-    """The formula with a letter set to zero, None where it has no value there, such as 0/0."""
-    put = formula.substitute({name: ZERO})
-    try:
-        if any(is_zero(node.denominator) for node in put.walk() if isinstance(node, Quotient)):
-            return None
-        if without_direction(put):
-            return None
-        return search.solver.simplify(put)
-    except (ZeroDivisionError, ValueError):
-        return None
 
 
 def nudged(search: Search) -> Iterator[Check]:
@@ -161,6 +84,8 @@ def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> boo
     group = next((names for names in passage.groups if travel.body in names), frozenset[str]())
     others = [other for other in passage.travels if other.body in group and other is not travel]
     rates = [rate for other in others for rate in (other.before, search.numbers.push(other.initial))]
+    pushed = [body.motion.acceleration for body in passage.start.bodies if body.name in group]
+    rates += [search.numbers.push(size) for acceleration in pushed for size, _ in acceleration.parts]
     return any(rate is not None and search.numbers.side(search.numbers.with_answers(rate)) for rate in rates)
 
 

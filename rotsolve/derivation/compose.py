@@ -30,15 +30,16 @@ from rotsolve.core.derivation import (
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAGRANGE, Equation
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.symbols import COORDINATE, TIME, is_key, key_of
+from rotsolve.core.symbols import ACCELERATIONS, COORDINATE, TIME, is_key, key_of, of_kinds
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of
 from rotsolve.derivation.headings import section_title
-from rotsolve.derivation.insights import insights
+from rotsolve.derivation.insights import insights, told_in_letters
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.one_letter import one_letter_for, said_alike
 from rotsolve.derivation.results import LONG, Results, readable, without_reordered
+from rotsolve.derivation.second_ways import second_way
 from rotsolve.derivation.sought import sought_words
 from rotsolve.language.problem import Condition, Path, Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
@@ -167,6 +168,7 @@ def mark_name(ref: Ref, names: Mapping[str, str]) -> str:
     return names.get(str(ref[1]), str(ref[1]))
 
 
+SEVERAL = 2  # letters that hang on others
 SENTENCES = (ENERGY, ANGULAR_MOMENTUM, LAGRANGE)  # the remarks of these laws are sentences of their own
 
 
@@ -201,6 +203,7 @@ class DerivationComposer:
         self.numbers = self._numbers()
         self.results = Results(search, self.letters, at)
         self.told: set[Words] = set()  # sentences about a whole scene, which are told once
+        self.way = second_way(told_in_letters(search), search)
 
     def derivation(
         self, checks: tuple[Check, ...], before: tuple[Section, ...] = (), trials: tuple[Trial, ...] = ()
@@ -225,8 +228,17 @@ class DerivationComposer:
             equations_written=len(self.search.equations),
             equations_used=sum(1 for draft in self.drafts for _ in self._once(draft.laws)),
             trials=trials,
-            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone()))),
+            insights=tuple(map(self.letters.words, insights(self.search, self._turned_alone(), self.way))),
+            second=self._second(),
         )
+
+    def _second(self) -> tuple[Section, ...]:
+        """The second way to an answer."""
+        if self.way is None:
+            return ()
+        from rotsolve.derivation.second_told import second_section
+
+        return (second_section(self.way, self),)
 
     def _turned_alone(self) -> Iterator[tuple[BodyFacts, Force]]:
         """The bodies that one force alone turns, with that force."""
@@ -275,7 +287,7 @@ class DerivationComposer:
         return LawLine(
             self.numbers[("law", index)],
             equation.label,
-            Equality(self._shown(equation.left), self._shown(equation.right), equation.relation),
+            Equality(self.shown(equation.left), self.shown(equation.right), equation.relation),
             self.letters.words(remark),
             equation.law.name,
             equation.family,
@@ -284,7 +296,7 @@ class DerivationComposer:
 
     def _move(self, step: Step) -> Move:
         chain = without_reordered(
-            [Equality(self._shown(one.left), self._shown(one.right)) for one in readable(step.chain)]
+            [Equality(self.shown(one.left), self.shown(one.right)) for one in readable(step.chain)]
         )
         if len(chain) > 1 and not isinstance(chain[0].left, Symbol) and chain[0] == self._written(step.target):
             chain = chain[1:]  # what is put in is a number
@@ -299,13 +311,29 @@ class DerivationComposer:
         others = (ref for ref in step.sources if into and ref not in own and self._mark(ref) not in ("", into))
         put = dict.fromkeys(self._cited(ref, step) for ref in others)
         divisor = self._mark(step.divisor) if step.divisor else ""
-        return Move(sources, chain, number, reason, tuple(put), into, divisor=divisor)
+        return Move(sources, chain, number, reason, tuple(put), into, divisor=divisor, alone=self._alone(step))
+
+    def _alone(self, step: Step) -> Formula | None:
+        """The one unknown that is left where several letters that hang on others are put in."""
+        keys = {name for name in step.chain[0].left.symbols() | step.chain[0].right.symbols() if is_key(name)}
+        if step.divisor:
+            gone = [
+                name
+                for name in self._told_by(step.target) & self._told_by(step.divisor) - keys
+                if of_kinds([name], ACCELERATIONS)
+            ]
+            return self.letters.printed(Symbol(gone[0])) if len(gone) == 1 else None
+        others = [ref for ref in step.sources if ref != step.target]
+        hanging = [ref for ref in others if len([*filter(is_key, self._told_by(ref))]) > 1]
+        if keys != {step.result} or len(hanging) < SEVERAL or step.chain[0].left == Symbol(step.result):
+            return None
+        return self.letters.printed(Symbol(step.result))
 
     def _written(self, ref: Ref) -> Equality | None:
         """An equation as it stands among the laws."""
         return self._law(int(ref[1])).equation if ref[0] == "law" and ref in self.numbers else None
 
-    def _shown(self, formula: Formula) -> Formula:
+    def shown(self, formula: Formula) -> Formula:
         """A formula in printed letters, without bars round what the numbers tell the sign of: −ω for |ω| of what turns clockwise."""
         return self.letters.printed(formula.transform(partial(unbarred_by_value, results=self.results), "abs"))
 

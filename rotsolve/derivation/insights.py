@@ -25,7 +25,7 @@ from rotsolve.core.letters import system_told
 from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
-from rotsolve.derivation.second_ways import by_another_law, by_point_of_contact, called
+from rotsolve.derivation.second_ways import SecondWay, called
 from rotsolve.language.problem import Path
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -42,10 +42,15 @@ SHORT = 15  # nodes of a share of the energy that is told in letters
 CLOSE = (95, 105)  # per cent of a weight within which a force is not compared with it
 
 
-def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterator[Words]:
+def told_in_letters(search: Search) -> list[Answered]:
+    """The answers that have formulas and are no functions of time."""
+    return [item for item in search.wholes() if item.found.formula is not None and not item.asked.find.runs]
+
+
+def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]], way: SecondWay | None = None) -> Iterator[Words]:
     """Sentences about the answers, the most telling kinds first, each kind once or twice; `alone` are bodies with the one force that turns
-    them."""
-    told = [item for item in search.wholes() if item.found.formula is not None and not item.asked.find.runs]
+    them. What has a second `way` needs none about the point of contact."""
+    told = told_in_letters(search)
     lawful = [item for item in told if any(law.family for law in behind(item, search))]
     yield from cancelled(lawful, search)
     yield from growing(lawful, search)
@@ -53,9 +58,9 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]]) -> Iterat
     yield from beside_weights(lawful, search)
     yield from energy_lost(search)
     yield from opposite_energies(told, search)
+    yield from way_of_the_centre(told, search)
     yield from beside_a_ring(told, search)
-    yield from list(by_point_of_contact(told, search)) or about_contacts(told, search)
-    yield from by_another_law(told, search)
+    yield from about_contacts(told, search) if way is None else filter(None, (way.aside,))
     yield from by_friction_alone(alone, told, search)
 
 
@@ -343,6 +348,14 @@ def about_contacts(told: Sequence[Answered], search: Search) -> Iterator[Words]:
             return
 
 
+def way_of_the_centre(told: Sequence[Answered], search: Search) -> Iterator[Words]:
+    """The mistake to which the work of a force on a point that slides invites, where it is asked for."""
+    if any(work.slide is not None for passage in search.scene.passages.values() for work in passage.works):
+        from rotsolve.derivation.tempting import by_way_of_the_centre
+
+        yield from by_way_of_the_centre(told, search)
+
+
 def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
     """ "I is ½ of M R², that of the same mass all at the distance R", of a moment of inertia c M R²."""
     for item in told:
@@ -368,6 +381,7 @@ def beside_a_ring(told: Sequence[Answered], search: Search) -> Iterator[Words]:
                 whole,
                 ", which the same mass all at the distance ",
                 distance,
-                " would have: what lies nearer to the axis counts less",
+                " would have: what lies nearer to the axis counts less, so that ",
+                f"{spoken(paths[0].owner)} is easier to set turning",
             )
             return

@@ -52,7 +52,7 @@ def told_at(put: LettersAt, answers: Sequence[Answer], space: LetterSpace) -> It
         if formula is not None and put.values.keys() <= formula.symbols() and length(formula) <= LONGEST:
             found = put_at(formula, put.values, space)
             if found is not None:
-                yield Check((*put.words, " gives ", answer.symbol, " = ", found))
+                yield Check((*put.words, " gives ", answer.symbol, " = ", found), limit=True)
             return
 
 

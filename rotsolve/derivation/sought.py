@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Number, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.core.derivation import Words
-from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.quantity import OSCILLATING, QUANTITIES
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.headings import moment_title
 from rotsolve.language.problem import ANY_TIME, Find, Path, Term
@@ -55,7 +55,7 @@ def of_earlier(find: Find) -> bool:
 def plain_term(find: Find) -> Term | None:
     """The quantity of a question for one quantity alone that has a name; None of others."""
     term = find.terms[0] if len(find.terms) == 1 and find.formula == PLAIN and find.choice is None else None
-    if term is None or term.other is not None or not (term.path.owner or term.path.quantity == "time"):
+    if term is None or term.other is not None or (not term.path.owner and term.path.quantity in OSCILLATING):
         return None
     return term
 

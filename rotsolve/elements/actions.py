@@ -43,6 +43,7 @@ SQUARE = (None, "tangential", "clockwise", "counterclockwise")  # directions squ
 
 class AppliedForce(Action, frozen=True):
     word = "force"
+    at_points = True
     about = "a force on a point of a body; pulled off a wheel's rim with `over` or `under`"
     quantities = ("force", "torque", "work", "power", "impulse", "angular_impulse")
     spatial = True

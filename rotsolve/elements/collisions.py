@@ -69,6 +69,7 @@ FIXED = ("ground", "ceiling")
 
 class Collides(Event, frozen=True):
     word = "collides"
+    at_points = True
     bodily = True
     about = "two bodies bounce off each other"
     blow = True

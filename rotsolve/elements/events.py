@@ -24,6 +24,7 @@ AFTERWARDS = "begin a scene of its own with what is left then, and with how it s
 
 class Joins(Event, frozen=True):
     word = "joins"
+    at_points = True
     bodily = True
     about = "two bodies meet and stay together (inelastic)"
     heats = True
@@ -55,6 +56,7 @@ class Joins(Event, frozen=True):
 
 class Impulse(Event, frozen=True):
     word = "impulse"
+    at_points = True
     about = "a blow: an impulse on a point of a body"
     blow = True
     quantities = ("impulse", "angular_impulse")

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.limits import Limit
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
 from rotsolve.language.bodies import Surface
 from rotsolve.language.keys import amount, key
+
+
+def key_of_bearer() -> Any:
+    """The key of a surface that is a side of a body, and goes with it."""
+    help = "the body of which it is a side, and with which it goes; without it, it is fixed"
+    return key("name", help, default=None, refers=("body",), plane=True)
 
 
 class Level(Surface, frozen=True):
@@ -29,6 +35,13 @@ class Slope(Surface, frozen=True):
     about = "a plane at an angle to the level, falling towards `down`"
     slope: Formula | None = amount("angle to the level", "angle", "theta", "acute", required=True, example="beta")
     down: str = key("choice", "the side to which it falls", choices=("left", "right"), default="right")
+    of: str | None = key_of_bearer()
+
+    def tilt(self) -> Formula | None:
+        return self.slope
+
+    def bearer(self) -> str:
+        return self.of or ""
 
     @property
     def downhill(self) -> Heading:
@@ -138,9 +151,13 @@ class Hollow(Curved, frozen=True):
     about = "the inside of a round bowl or loop"
     outside = False
     hollow: Formula | None = amount("radius", "length", "R", "positive", required=True)
+    of: str | None = key_of_bearer()
 
     def radius(self) -> Formula | None:
         return self.hollow
+
+    def bearer(self) -> str:
+        return self.of or ""
 
 
 class Wire(Curved, frozen=True):
@@ -151,9 +168,13 @@ class Wire(Curved, frozen=True):
     outside = False
     two_sided = True
     wire: Formula | None = amount("radius", "length", "R", "positive", required=True)
+    of: str | None = key_of_bearer()
 
     def radius(self) -> Formula | None:
         return self.wire
+
+    def bearer(self) -> str:
+        return self.of or ""
 
 
 class Dome(Curved, frozen=True):
@@ -162,9 +183,13 @@ class Dome(Curved, frozen=True):
     into = "towards the centre"
     about = "the outside of a round hill"
     dome: Formula | None = amount("radius", "length", "R", "positive", required=True)
+    of: str | None = key_of_bearer()
 
     def radius(self) -> Formula | None:
         return self.dome
+
+    def bearer(self) -> str:
+        return self.of or ""
 
 
 class Post(Surface, frozen=True):

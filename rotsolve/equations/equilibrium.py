@@ -242,6 +242,7 @@ class Placing(Struct, frozen=True):
         """The bodies that swing together: those tied to the body named, else the only ones that a weight or spring drives back."""
         near = moments.near
         groups = groups_of(self.configuration, moments.still, near.state)
+        self.refuse_round_sides(near.state)
         if owner:
             host = near.host(owner)
             return next(group for group in groups if host in group)
@@ -255,6 +256,15 @@ class Placing(Struct, frozen=True):
             names = ", ".join(spoken(name) for group in driven for name in sorted(group))
             raise NotYet(f"several bodies swing each for itself: {names}", help="say `of` which body")
         return driven[0]
+
+    def refuse_round_sides(self, state: str) -> None:
+        """Nothing here displaces what lies on a round side of a body that moves too."""
+        for item in self.configuration.connections(state):
+            surface = item.surface(self.configuration, state) if item.carrier(self.configuration) else None
+            if surface is not None and surface.curved:
+                message = f"swings of `{item.lying()}` on `{surface.name}`, a round side of a body that moves, are not solved yet"
+                help = "a bob on a light rod that is hinged to the body swings as a particle in a hollow of that radius"
+                raise NotYet(message, help=help)
 
     def leading(self, near: Instant, group: frozenset[str], owner: str) -> str:
         """The body whose coordinate tells the swing: the one named, else a hinged one, else one that travels, else the first."""

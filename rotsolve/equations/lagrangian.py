@@ -18,7 +18,7 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, divide, multiply, total
 from rotsolve.core.equation import Equation
-from rotsolve.core.facts import BodyFacts, Facts, Force, Role
+from rotsolve.core.facts import BodyFacts, Facts, Force, Role, signed
 from rotsolve.core.lagrangian import GeneralizedCoordinate, Lagrangian, PageLetters, order_on_page
 from rotsolve.core.passage import Passage
 from rotsolve.core.quantity import QUANTITIES
@@ -273,6 +273,7 @@ class Motions(Struct, frozen=True, dict=True):
     def at_ends(self, over: Passage) -> tuple[Callable[[Formula], Formula], Callable[[Formula], Formula]]:
         """What puts in for the letters what they are at both ends of a phase: ways count from its start."""
         changes = {(travel.body, travel.kind, travel.axis): travel.change for travel in over.travels}
+        turns = {travel.body: signed(travel.change, travel.sense) for travel in over.travels if travel.kind == "turn"}
         ways: dict[str, Formula] = {}
         for q in self.motion.coordinates:
             key = key_of(q.letter.name)
@@ -280,6 +281,10 @@ class Motions(Struct, frozen=True, dict=True):
                 kind = "turn" if key.kind == "rotation" else "line"
                 ways[q.letter.name] = changes.get((key.owner, kind, key.component), q.letter)
         first, last = (self.scene.instant(facts.state) for facts in (over.start, over.end))
+        for body in self.bodies:  # of an angle that no state follows counts what is turned
+            angle = self.course.angle(body.name)
+            if isinstance(angle, Symbol) and first.angle(body.name) is None and body.name in turns:
+                ways[angle.name] = turns[body.name]
         return self.putting_in(first, dict.fromkeys(ways, ZERO)), self.putting_in(last, ways)
 
     def putting_in(self, instant: Instant, ways: Mapping[str, Formula] | None = None) -> Callable[[Formula], Formula]:
@@ -293,7 +298,8 @@ class Motions(Struct, frozen=True, dict=True):
             angle = self.course.angle(body.name)
             if isinstance(angle, Symbol):
                 known = instant.angle(body.name)
-                values[angle.name] = instant.offset(body.name).formula() if known is None else known
+                if known is not None or angle.name not in values:
+                    values[angle.name] = instant.offset(body.name).formula() if known is None else known
         others = {key: item for key, item in self.course.registry.quantities.items() if key not in values}
         values |= {key: self._at(quantity, instant) for key, quantity in others.items()}
         return lambda value: simplify(value.substitute(values), order=self.order, positive=configuration.positive)

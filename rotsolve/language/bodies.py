@@ -150,6 +150,14 @@ class Surface(Element, frozen=True):
         """Direction out of the surface."""
         return UP
 
+    def tilt(self) -> Formula | None:
+        """The angle of a slope to the level."""
+        return None
+
+    def bearer(self) -> str:
+        """The body of which it is a side; '' of what does not move."""
+        return ""
+
     def height(self) -> Formula | None:
         """Height above the floor of an edge."""
         return None

@@ -1,7 +1,6 @@
 """Elements: the base classes of all that a scene is built of beside its bodies, what they see of it, and what is asked of them.
 
-Each question has a plain default, so that an element answers only what is special about it. No element knows where it is asked from:
-it sees one `Moment` of the scene, and the `Surroundings` in which it acts.
+Each question has a plain default. No element knows where it is asked from: it sees one `Moment` of the scene, and its `Surroundings`.
 """
 
 from __future__ import annotations
@@ -36,6 +35,8 @@ class SceneElements(Protocol):
     def events(self) -> tuple[Event, ...]: ...
     @property
     def bodies(self) -> tuple[Body, ...]: ...
+    @property
+    def surfaces(self) -> tuple[Surface, ...]: ...
     @property
     def gravity(self) -> Formula | None: ...
     @property
@@ -102,6 +103,8 @@ class Moment(Protocol):
     def state(self) -> str: ...
     @property
     def when(self) -> str: ...
+    @property
+    def moving(self) -> str: ...
     @property
     def in_balance(self) -> bool: ...
     def says_to_stick(self, name: str) -> bool: ...
@@ -197,17 +200,13 @@ class ActingElement(Element, frozen=True):
         return iter(())
 
 
-ALL_THE_TIME = (
-    "what acts does so in all states: begin a scene of its own where that begins or ends, with how all moves then"
-)
+ALL_THE_TIME = "what acts does so in all states: begin another scene where it begins or ends, with how all moves then"
 
 
 class Action(ActingElement, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
-    from_: str | None = key(
-        "name", "the state at which it begins", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
-    )
+    from_: str | None = key("name", "the state at which it begins", refers=("state",), plane=True, instead=ALL_THE_TIME)
     to: str | None = key(
         "name", "the state at which it ends", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
     )
@@ -232,10 +231,10 @@ class Action(ActingElement, frozen=True):
 class Connection(ActingElement, frozen=True):
     """Base of all connections. `words` can be said of it in a state.
 
-    `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
-    nothing that is fixed, `lays_first` one that names first what it lays on something, `rimmed` one that runs on the rims of wheels,
-    `repeats` one that may name a body twice, `guiding` one by which a body is where another one takes it, `axial` an axis through the
-    centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that events leave.
+    `independent` holds several bodies without making one move with the other, `bodily` joins bodies alone and nothing that is fixed,
+    `lays_first` names first what it lays on something, `rimmed` runs on the rims of wheels, `repeats` may name a body twice, `guiding`
+    takes a body where another one is, `axial` is an axis through the centre of what it holds, `circling` carries that steadily round.
+    `kept` are its quantities that events leave.
     """
 
     words: ClassVar[tuple[str, ...]] = ()
@@ -254,10 +253,11 @@ class Connection(ActingElement, frozen=True):
         if self.between():
             first, second = self.between()
             if scene.held.get(first.owner, first.owner) != scene.held.get(second.owner):
-                help = f"give `axle: [{first.owner}, {second.owner}]`"
-                raise Unsolvable(
-                    f"`{self.word}` is solved for two bodies on one axle only", span=second.span, help=help
+                help, message = (
+                    f"give `axle: [{first.owner}, {second.owner}]`",
+                    "is solved for two bodies on one axle only",
                 )
+                raise Unsolvable(f"`{self.word}` {message}", span=second.span, help=help)
 
     def holds_whatever_it_takes(self) -> bool:  # by friction to which nothing sets a limit
         return False
@@ -268,10 +268,6 @@ class Connection(ActingElement, frozen=True):
 
     def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
         """The connection as the scene is seen; `level` are the names of what is level in it."""
-        return self
-
-    def between_points(self, middle: Callable[[PointRef], PointRef]) -> Connection:
-        """The connection where bodies that are named alone stand for a point of theirs."""
         return self
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
@@ -352,7 +348,7 @@ class Connection(ActingElement, frozen=True):
         return iter(())
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
-        """How far along a direction that stays a body's reference is, where it tells that; `place_of` tells that of other points."""
+        """How far along a direction a body's reference is, where it tells that; `place_of` tells that of other points."""
         return None
 
     def tension_at(self, name: str, instant: Moment) -> Formula | None:
@@ -400,8 +396,7 @@ class Connection(ActingElement, frozen=True):
         return True
 
     def first_rate(self) -> tuple[Connection, PointRef, Formula] | None:
-        """Of what drives a body with a rate that is told as one number, and with an acceleration besides that changes it: the same without
-        that rate, what it turns, and the rate, which it has at first."""
+        """Of what drives a body with a told rate and an acceleration besides: the same without that rate, what it turns, and the rate."""
         return None
 
     def joint_in_space(self) -> Joint | None:
@@ -437,12 +432,15 @@ class Connection(ActingElement, frozen=True):
         return None
 
     def verge(self, instant: Moment) -> tuple[tuple[Formula, Formula, Formula], ...]:
-        """What is equal on the point of slipping, in one sense and in the other, where no push and no coefficient alone tell it; each with
-        what can't be negative then."""
+        """What is equal on the point of slipping, in each sense, where no push alone tells it; with what can't be negative then."""
         return ()
 
     def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
         """How fast a body slips along the sense that counts as positive, or the rate of that; None where nothing tells the sense."""
+        return None
+
+    def slides_down(self, instant: Moment) -> Heading | None:
+        """The way along a side of another body that counts as positive for what slides on it, as seen from that body."""
         return None
 
     def drift(self, instant: Moment) -> Formula | None:
@@ -464,9 +462,7 @@ class Event(Element, frozen=True):
     at_once: ClassVar[str] = ""  # how scenes in space say that several happen at once
     bodily: ClassVar[bool] = False
     blow: ClassVar[bool] = False  # whether it gives impulses alone, so that several can be at once
-    heats: ClassVar[bool] = (
-        False  # whether the energy that its bodies lose in it becomes heat: nothing outside takes it
-    )
+    heats: ClassVar[bool] = False  # whether the energy that its bodies lose in it becomes heat
     lets_fly: ClassVar[bool] = False  # whether what lay on what it takes away is led along no line from then on
     name: str = ""
     from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)

@@ -80,6 +80,7 @@ class Element(Noted, metaclass=Declared, frozen=True):
     declared: ClassVar[dict[str, Key]]  # by the name of the field
     pointed: ClassVar[tuple[str, ...]]  # the fields that hold several points
     variable: ClassVar[tuple[str, ...]]  # the fields whose values may vary
+    at_points: ClassVar[bool] = False  # whether it acts at points of bodies, also of those that are named alone
 
 
 def keys_of(element: type[Element] | Element) -> Iterator[tuple[str, Key]]:

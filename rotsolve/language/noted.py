@@ -49,6 +49,14 @@ def unread(item: Noted) -> tuple[str, ...]:
     return tuple(item.__dict__.get(BESIDE, ()))
 
 
+def with_all_slots(item: Declaring) -> Declaring:
+    """The record with all its fields in their slots, as functions that compare look for them, and nothing of it read by that."""
+    beside = item.__dict__.get(BESIDE, {})
+    return type(item)(
+        **{name: beside[name] if name in beside else getattr(item, name) for name in item.__struct_fields__}
+    )
+
+
 def read_all(item: Declaring) -> Declaring:
     """The record with all its fields in their slots again, where functions that copy or compare look for them."""
     for name in unread(item):

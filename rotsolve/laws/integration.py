@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from rotsolve.algebra.calculus.integral import carried_out
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Sum, Symbol, multiply
-from rotsolve.core.derivation import NEXT, Words
+from rotsolve.core.derivation import NEXT, SHOWN, Words
 from rotsolve.core.equation import INTEGRATED, PARALLEL_AXES, Equation, Law
 from rotsolve.core.slicing import Slicing
 from rotsolve.core.symbols import key_of
@@ -170,19 +170,54 @@ def integral_of(
     factor: Words = ("(", second, ")") if isinstance(second, Sum) else (second,)
     each: Words = (f"In {words[entry]} each adds ", *factor, " dm.")
     if second in plain:
-        width: Words = tuple(part for item in cut.ranges for part in (" d", item.variable))
         adds = spread.tidy(multiply(multiply(sigma, cut.weight), second))
-        away = ("All of each is at the same distance ", plain[second], " from the axis")
-        each = (*away, ": dI = ", second, " dm = ", adds, *width, ".")
+        away = ("All of each is at the same distance ", plain[second], " from the axis, so that it adds")
+        shown = (SHOWN, "dI = ", second, " dm = ", adds, *differentials(cut))
+        each = (
+            *away,
+            *shown,
+            SHOWN,
+            "The moment of inertia is the sum of what all add: an integral",
+            *from_end_to_end(cut),
+            ".",
+        )
     return integral, label, (*elements(spread, cut, sigma, piece.shape.spread), NEXT, *each)
 
 
+def differentials(cut: Slicing) -> Words:
+    """The widths of an element, " dx dy"."""
+    return tuple(part for item in cut.ranges for part in (" d", item.variable))
+
+
+def from_end_to_end(cut: Slicing) -> Words:
+    """From where to where a single variable goes."""
+    if len(cut.ranges) != 1:
+        return ()
+    (item,) = cut.ranges
+    return (" from ", item.variable, " = ", item.lower, " to ", item.variable, " = ", item.upper)
+
+
 def elements(spread: Spread, cut: Slicing, sigma: Formula, over: str = LINE) -> Words:
-    """As "Cut into rings of radius r and width dr, each of area 2 π r dr: dm = 2 π σ r dr."."""
-    width: Words = tuple(part for item in cut.ranges for part in (" d", item.variable))
-    size: Words = ()
-    if sigma != ONE and cut.weight != ONE and over != LINE and cut.weight not in cut.element:
-        size = (f", each of {DENSITY[over][1]} ", spread.tidy(cut.weight), *width)
-        if cut.weight in {2 * PI * item.variable for item in cut.ranges}:
-            size = (*size, " (unrolled, a strip as long as its circumference)")
-    return ("Cut into ", *cut.element, *size, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width, ".")
+    """Into what a shape is cut, how large each of it is, and its mass: "Cut into rings of radius r and width dr …", dm = 2 π σ r dr."""
+    width, letter = differentials(cut), EXTENTS[over][0]
+    adds = spread.tidy(multiply(sigma, cut.weight))
+    if sigma == ONE or cut.weight == ONE or over == LINE or cut.weight in cut.element:
+        return ("Cut into ", *cut.element, ", each of mass", SHOWN, "dm = ", adds, *width)
+    unrolled = cut.weight in {2 * PI * item.variable for item in cut.ranges}
+    size = ". Unrolled, each is a strip as long as its circumference, of " if unrolled else ", each of "
+    own: Words = (f"{size}{DENSITY[over][1]}", SHOWN, f"d{letter} = ", spread.tidy(cut.weight), *width, SHOWN)
+    per: Words = (", as ", sigma, f" is the mass per {DENSITY[over][1]},") if isinstance(sigma, Symbol) else ()
+    return (
+        "Cut into ",
+        *cut.element,
+        *own,
+        "and",
+        *per,
+        " of mass",
+        SHOWN,
+        "dm = ",
+        sigma,
+        f" d{letter} = ",
+        adds,
+        *width,
+    )

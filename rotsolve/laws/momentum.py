@@ -10,6 +10,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import (
     ANGLES_TURNED,
     BLOWS,
+    CENTRE_STAYS,
     COMMON_AXIS,
     MOMENTUM,
     RESTITUTION,
@@ -90,14 +91,29 @@ def momentum_without_force(over: OverPhase) -> Iterator[Equation]:
                 continue  # whatever holds it on its line pushes
             if is_zero(total([force.vector.along(axis) for body in bodies for force in body.forces])):
                 before, after = ([body.mass * body.centre_velocity.along(axis) for body in end if body] for end in ends)
-                label = f"no {words} force: momentum is conserved, {named_together(group)}"
-                yield MOMENTUM.equation(total(before), total(after), over.section, tuple(sorted(group)), words=label)
+                names, group_words = tuple(sorted(group)), named_together(group)
+                label = f"no {words} force: momentum is conserved, {group_words}"
+                yield MOMENTUM.equation(total(before), total(after), over.section, names, words=label)
+                yield from way_of_centre(bodies, axis == UP, before, over)
+
+
+def way_of_centre(bodies: list[BodyFacts], upwards: bool, before: list[Formula], over: OverPhase) -> Iterator[Equation]:
+    """Σ m Δx = t Σ p₁ of bodies whose momentum is conserved: the common centre of mass stays where it is, or goes on evenly."""
+    ways = [over.passage.ways.get(body.name, (None, None))[upwards] for body in bodies]
+    gone = [body.mass * way for body, way in zip(bodies, ways, strict=True) if way is not None]
+    if len(gone) < len(bodies):
+        return
+    names, whole = tuple(body.name for body in bodies), named_together(body.name for body in bodies)
+    stays = f"no {'upward' if upwards else 'horizontal'} force: the centre of mass stays, {whole}"
+    label = stays if total(before) == ZERO else f"momentum summed over the time, {whole}"
+    right = [term * over.passage.duration for term in before]
+    yield CENTRE_STAYS.equation(total(gone), total(right), over.section, names, words=label)
 
 
 def led_across(body: BodyFacts, axis: Heading) -> bool:
     """Whether a body travels along a line to which its word alone holds it, and which is not that of the axis."""
     way = body.motion.heading if body.motion.kind == "line" else None
-    return way is not None and (way - axis).sin() != ZERO and not any(force.role.presses for force in body.forces)
+    return way is not None and (way - axis).sin() != ZERO and not body.supported
 
 
 def named_together(names: Iterable[str]) -> str:

@@ -46,11 +46,7 @@ def frictions_summed_up(at: AtMoment) -> Iterator[Equation]:
 
 def component_equation(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
     """The component along one axis; None where nothing acts along it."""
-    if (
-        body.motion.kind == "line"
-        and axis != body.motion.heading
-        and not any(force.role.presses for force in body.forces)
-    ):
+    if body.motion.kind == "line" and axis != body.motion.heading and not body.supported:
         return None  # whatever holds it on its line takes what acts across
     forces = [force.vector.along(axis) for force in from_outside(body)]
     acceleration = body.centre_acceleration.along(axis)

@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula, Integral, Sum, Symbol, negate, total
-from rotsolve.core.derivation import Words
+from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import WAY_OF_SLIP, WORK, Equation
 from rotsolve.core.facts import Rule
 from rotsolve.core.symbols import CONSTANT, is_key, key_of, of_kinds
@@ -43,7 +43,6 @@ def works_spelled(over: OverPhase) -> Iterator[Equation]:
             way, words = gone(apart)
             yield WORK.equation(work.amount, apart.force * way, *where, words, owner=owner)
         else:
-            wrong = apart.force * apart.along
             counts = (
                 f"What counts for the work of {owner} is the way ",
                 work.slide,
@@ -53,12 +52,12 @@ def works_spelled(over: OverPhase) -> Iterator[Equation]:
                 *counts,
                 "not the way ",
                 apart.along,
-                " of the centre: the body turns meanwhile, and ",
-                wrong,
-                " is wrong.",
+                " of the centre, as the body turns meanwhile.",
+                NEXT,
+                *slid[1],
             )
             yield WORK.equation(work.amount, apart.force * work.slide, *where, words, owner=owner)
-            yield WAY_OF_SLIP.equation(work.slide, slid[0], *where, slid[1], owner="the touching point")
+            yield WAY_OF_SLIP.equation(work.slide, slid[0], *where, ("mean speed × time",), owner="the touching point")
 
 
 def by_way_of_its_point(work: Formula) -> ByItsPoint | None:
@@ -98,11 +97,11 @@ def slid_evenly(apart: ByItsPoint, over: OverPhase) -> tuple[Formula, Words] | N
     keys = [name for name in apart.turned.symbols() if is_key(name)]
     radius = simplify(apart.turned / Symbol(keys[0])) if len(keys) == 1 else ZERO
     sign, arm = ("less", simplify(negate(radius))) if is_negative(apart.turned) else ("and", radius)
-    speed = ("its speed, that of the centre ", sign, " ", arm, " times the angular velocity, ")
+    speed = ("The speed of that point, that of the centre ", sign, " ", arm, " times the angular velocity, ")
     return HALF * (before + after) * passage.duration, (
         *speed,
         *change,
-        " at a constant rate, since friction is constant",
+        " at a constant rate, since friction is constant.",
     )
 
 

@@ -157,8 +157,8 @@ class Arrangement(Struct, frozen=True, dict=True):
     def connections(self, state: str) -> tuple[Connection, ...]:
         """Connections that act at a state, those too by which events hold bodies; none of a body that is taken away, save an axle for
         the others on it."""
-        after = self.timeline.after(state)
-        gone = self._absent[state] | frozenset(after.without if after and after.event is None else ())
+        phase = self.timeline.phase_of(state)
+        gone = self._absent[state] | frozenset(phase.without if phase is not None else ())
         added = [item for event in self.events(state) for item in event.adds()]
         acting = (*[item for item in self.problem.connections if item.name not in gone], *added)
         away = gone & self.bodies.keys()

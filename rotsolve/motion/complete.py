@@ -24,6 +24,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.flights import with_flights
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.mounts import on_mounts
+from rotsolve.motion.named_alone import with_all_points
 from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import between_ends, centre_of_mass, locate, materials, pieces, tidy
@@ -92,7 +93,7 @@ class MadeLetters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
-    problem = with_flights(on_mounts(problem))
+    problem = with_flights(on_mounts(with_all_points(problem)))
     bodies_named = {body.name for body in problem.bodies}
     surfaces = {surface.name: surface for surface in problem.surfaces}
     problem = replace(problem, events=tuple(item.completed(bodies_named, surfaces) for item in problem.events))

@@ -10,6 +10,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Body, PointRef, Problem
+from rotsolve.motion.named_alone import at_its_points
 
 Bodies = Mapping[str, Body]
 Others = Sequence[Connection]
@@ -20,7 +21,7 @@ def on_mounts(problem: Problem) -> Problem:
     bodies = {body.name: body for body in problem.bodies}
     level = {"ground", *(surface.name for surface in problem.surfaces if surface.level)}
     seen = (item.seen(problem, level) for item in problem.connections)
-    items = [item.between_points(lambda ref: middle(ref, bodies)) if on_one_axle(item) else item for item in seen]
+    items = [at_its_points(item, bodies) if on_one_axle(item) else item for item in seen]
     while carried := next(
         ((item, moving) for item in filter(on_one_axle, items) if (moving := moving_on(item, items, bodies))), None
     ):
@@ -53,13 +54,6 @@ def moving_on(item: Connection, items: Others, bodies: Bodies) -> set[str]:
 def at_centre(ref: PointRef) -> bool:
     """Whether an axle through this point is that about which the body turns by itself."""
     return ref.point in (None, "center", "cm")
-
-
-def middle(ref: PointRef, bodies: Bodies) -> PointRef:
-    """The centre of mass for a body that is named alone and is put together of parts, save a wheel: that has its centre."""
-    body = bodies.get(ref.owner)
-    whole = ref.point is None and body is not None and bool(body.parts or body.holes)
-    return replace(ref, point="cm") if whole and body is not None and rim_radius(body, None) is None else ref
 
 
 def moves(name: str, at: PointRef | None, others: Others, bodies: Bodies) -> bool:

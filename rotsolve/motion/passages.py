@@ -11,8 +11,9 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Passage, Work
 from rotsolve.core.symbols import UNKNOWN, key_of
+from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.places import heights, way_by_links
+from rotsolve.motion.places import gone_along, heights, way_by_links
 from rotsolve.motion.travels import Lead, leading_place, leading_rate, led, stored_place, travels_of
 from rotsolve.motion.works import PhaseWorks, works_on
 
@@ -126,7 +127,18 @@ def passage(interval: Interval, start: Known, end: Known, midst: Known) -> Passa
         groups,
         idle,
         tuple(linked_ways(midst_facts, interval, first, last)),
+        dict(ways_in_the_plane(midst_facts, groups, interval, first, last)),
     )
+
+
+def ways_in_the_plane(
+    facts: Facts, groups: Sequence[frozenset[str]], interval: Interval, first: Instant, last: Instant
+) -> Iterator[tuple[str, tuple[Formula | None, Formula | None]]]:
+    """How far to the right and up bodies go that move together, one of them at least freely; None where that is not told."""
+    free = {body.name for body in facts.bodies if body.motion.kind == "plane"}
+    for name in (name for group in groups if len(group) > 1 and group & free for name in sorted(group)):
+        right, up = (gone_along(name, axis, interval, first, last) for axis in (RIGHT, UP))
+        yield name, (right, up)
 
 
 def linked_ways(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, heading
 from rotsolve.motion.travels import displacement
 
@@ -91,8 +91,17 @@ def ends_of(name: str, way: Heading, interval: Interval, first: Instant, last: I
         return (ZERO, displacement(name, interval, first) * along if along != ZERO else ZERO)
     before, after = place_along(name, way, first), place_along(name, way, last)
     if before is None or after is None:
-        return None
+        return ends_on_side(name, way, interval, first)
     return (simplify(before), simplify(after)) if link else (before, after)
+
+
+def ends_on_side(name: str, way: Heading, interval: Interval, first: Instant) -> Ends | None:
+    """Places of what slides on a side of a body that travels, from where it begins, by how far it goes right and up; None of all else."""
+    items = first.configuration.connections(first.state)
+    if not any(item.lying() == name and item.slides_down(first) is not None for item in items):
+        return None
+    ways = [(displacement(name, interval, first, axis), (side - way).cos()) for axis, side in (("x", RIGHT), ("y", UP))]
+    return ZERO, total([gone * share for gone, share in ways if share != ZERO])
 
 
 def led_by_links(name: str, way: Heading, instant: Instant) -> bool:

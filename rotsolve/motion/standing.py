@@ -245,9 +245,12 @@ class Standing(Struct, frozen=True, dict=True):
     def tilts(self, name: str) -> bool:
         """Whether what acts on a body that turns about another point than its centre of mass gets another arm on the way."""
         configuration = self.configuration
-        phases = any(interval.event is None for interval in configuration.timeline.intervals)
         bound = configuration.heavy or configuration.hung(name, self.state) is not None
-        return phases and bound and configuration.eccentric(name, self.state)
+        return self._time_passes() and bound and configuration.eccentric(name, self.state)
+
+    def _time_passes(self) -> bool:
+        """Whether there is more than blows between the states."""
+        return any(interval.event is None for interval in self.configuration.timeline.intervals)
 
     def drawn_at_first(self, name: str) -> bool:
         """Whether a body stands as drawn at the first state, since nothing tells how it stands; a rod may stand anyhow."""
@@ -313,7 +316,8 @@ class Standing(Struct, frozen=True, dict=True):
     def follows_marks(self, name: str) -> bool:
         """Whether the scene follows a mark on a body, or on one that is joined to it, round the point about which it turns.
 
-        Of what turns about another point than its centre of mass only where a state tells how far; else it is spoken of as it is drawn.
+        So does the force of what holds it at another point than its centre of mass. Where no state tells how far that turns, sizes are
+        spoken of as it is drawn, and between blows components too.
         """
         configuration, carried = self.configuration, self.configuration.carried(name, self.state)
         if len(configuration.timeline.states) < 2:
@@ -326,16 +330,28 @@ class Standing(Struct, frozen=True, dict=True):
         ]
         asked = [PointRef(path.owner, path.point, path.argument) for path in paths]
         asked += [term.about for term in terms if term.about is not None and term.about.owner in carried]
-        if not asked:
-            return False
         told = any(
             configuration.mentions.says(state.name, item, *TURNED)
             for state in configuration.timeline.states
             for item in carried
         )
+        told |= self._time_passes() and any(path.component is not None for path in paths)
         if self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told:
             return False
-        return any(map(self._goes_round, asked))
+        return any(map(self._goes_round, asked)) or self._asks_of_joint(name, carried)
+
+    def _asks_of_joint(self, name: str, carried: Container[str]) -> bool:
+        """Whether a question asks for a component in space of the force at which a body is held, whose centre of mass goes round, or with
+        which bodies that go round together hold each other."""
+        configuration = self.configuration
+        items = configuration.connections(self.state)
+        held = {item.name for item in items for ref in item.fixed_points() if ref.owner in carried}
+        if not configuration.eccentric(name, self.state):
+            held = set()
+        held |= {item.name for item in items if item.joined() and item.joined()[0].owner in carried}
+        paths = (term.path for find in configuration.problem.finds for term in find.terms if term.modifier != "size of")
+        forces = [path for path in paths if path.owner in held and path.quantity == "force"]
+        return self._time_passes() and any(path.component in (None, *PLANE) for path in forces)
 
     def _asks_within(self, carried: Container[str]) -> bool:
         """Whether a question asks with what force bodies that are one hold each other, which goes round with them."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from rotsolve.core.derivation import Check, Equality
+from rotsolve.core.derivation import SHOWN, Check, Equality
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -64,6 +64,12 @@ def authored(text: str) -> Styled:
 def equation(equality: Equality) -> Math:
     """An equality as mathematics."""
     return Math((equality.left, equality.relation, equality.right))
+
+
+def unindented(phrase: Phrase) -> Phrase:
+    """A line of its own within a sentence without the sign before it."""
+    first = phrase[0] if phrase else ""
+    return (first.removeprefix(SHOWN), *phrase[1:]) if isinstance(first, str) and first.startswith(SHOWN) else phrase
 
 
 def joined_phrases(phrases: Iterable[Phrase], *between: str | Math) -> Phrase:
@@ -237,7 +243,7 @@ class Formulas(PageBlock, frozen=True):
 
     def simpler(self) -> Iterator[PageBlock]:
         yield Title(self.level, (self.caption,), minor=True)
-        yield from map(Paragraph, self.remarks)
+        yield from map(Paragraph, map(unindented, self.remarks))
         if self.rows:
             yield Bullets(tuple(map(self.bullet, self.rows)))
 

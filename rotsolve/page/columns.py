@@ -10,6 +10,8 @@ from msgspec import Struct
 from rotsolve.page.blocks import ARROW
 
 GAP = 4  # blanks between two columns of a table
+FEW_LINES = 2  # of a remark below its formula; a longer one begins
+UNDER_WORDS = 6  # in this column
 SHORT = 6  # a remark that is no longer than this is a number, as (12)
 HELD = "\N{NO-BREAK SPACE}"  # a blank at which no line may be broken
 LONG = 40  # a formula longer than this may be broken before its outer signs
@@ -155,7 +157,7 @@ def row_lines(row: ColumnRow, indent: int, column: int, ends: int, width: int) -
 
 
 def with_remark(line: str, remark: str, column: int, ends: int, width: int) -> Iterator[str]:
-    """The last line of a row with its remark at the right, or below it where there is no room."""
+    """The last line of a row with its remark at the right, or below it where there is no room; a long one has all of the line."""
     if not remark:
         yield line
     elif len(line) + GAP <= ends and ends + len(remark) <= width:
@@ -164,7 +166,10 @@ def with_remark(line: str, remark: str, column: int, ends: int, width: int) -> I
         yield line + " " * GAP + remark
     else:
         yield line
-        yield from (" " * (column + 2) + part for part in wrap(remark, width - column - 2))
+        start = column + 2
+        if len(wrap(remark, width - start)) > FEW_LINES:
+            start = min(start, UNDER_WORDS)
+        yield from (" " * start + part for part in wrap(remark, width - start))
 
 
 def page_text(lines: Iterable[TextLine]) -> str:

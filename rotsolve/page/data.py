@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Answer, Derivation, Equality, Refusal, Section, Words
-from rotsolve.page.blocks import equation
+from rotsolve.core.derivation import Answer, Derivation, Equality, Refusal, Section, Words, in_lines
+from rotsolve.page.blocks import equation, unindented
 from rotsolve.page.text import plain_text
 from rotsolve.page.values import certified_digits, given_equation, machine_number, shown_givens
 
@@ -39,6 +39,7 @@ def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
         "sections": [section_data(section) for section in derivation.sections],
         "answers": [answer_data(answer, digits) for answer in derivation.answers],
         "refused": [refusal_data(refusal) for refusal in derivation.refused],
+        "second_solution": [section_data(section) for section in derivation.second],
         "remarks": [plain_text(words) for words in derivation.insights],
         "checks": [{"text": plain_text(check.words), "holds": check.holds} for check in derivation.checks],
         "confirmed": [
@@ -97,7 +98,7 @@ def section_data(section: Section) -> dict[str, Any]:
             }
             for line in section.forces
         ],
-        "remarks": [plain_text(item) for item in section.remarks],
+        "remarks": [" ".join(plain_text(unindented(line)) for line in in_lines(item)) for item in section.remarks],
         "laws": [
             {
                 "number": law.number,

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Formula, Sum, Symbol
-from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Move, Refusal, Section
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, Move, Refusal, Section, in_lines
 from rotsolve.page.blocks import (
     WITH,
     AnswerRow,
@@ -78,6 +78,9 @@ class DerivationPage(Page, frozen=True):
             yield Answers(self.answer_rows(derivation))
             used = names_in_answers(derivation) if shorts else set()
             yield from (Paragraph(("with ", *numbers.meaning(one))) for one in shorts if one.letter.name in used)
+        for section in derivation.second if self.detail != BRIEF else ():
+            yield Title(2, ("Second solution",))
+            yield from section_blocks(replace(section, title="Second solution"), None, set())
         if derivation.insights and self.detail != BRIEF:
             yield Title(2, ("Remarks",))
             yield Bullets(tuple(map(Bullet, derivation.insights)))
@@ -90,7 +93,9 @@ class DerivationPage(Page, frozen=True):
         if derivation.refused:
             yield Title(2, ("Not answered",))
             yield Bullets(tuple(map(refusal_bullet, derivation.refused)))
-        checks = derivation.checks if self.detail == FULL else tuple(in_short(derivation.checks))
+        yield from limit_blocks(derivation.checks)
+        rest = [check for check in derivation.checks if not check.limit]
+        checks = tuple(rest if self.detail == FULL else in_short(rest))
         if checks:
             yield Title(2, ("Checks",))
             yield Checks(checks)
@@ -122,6 +127,14 @@ class DerivationPage(Page, frozen=True):
         from rotsolve.page.data import derivation_data
 
         return {"file": self.file, **derivation_data(self.derivation, self.digits)}
+
+
+def limit_blocks(checks: Iterable[Check]) -> Iterator[PageBlock]:
+    """What answers come to at the ends of what a letter may be, one a line."""
+    limits = tuple(Bullet(check.words) for check in checks if check.limit)
+    if limits:
+        yield Title(2, ("Limits",))
+        yield Bullets(limits)
 
 
 def in_short(checks: Iterable[Check]) -> Iterator[Check]:
@@ -237,7 +250,8 @@ def law_blocks(section: Section, numbers: InsertedNumbers | None) -> Iterator[Pa
             again = numbers is None or law.equation.left in told
             values = () if numbers is None or again else numbers.valued(law.name, law.equation)
             rows.append(FormulaRow((law.law,), (law.equation,), law.number, law.remark, True, values=values))
-        yield Formulas("Laws", section_level(section), section.remarks, tuple(rows))
+        remarks = tuple(line for remark in section.remarks for line in in_lines(remark))
+        yield Formulas("Laws", section_level(section), remarks, tuple(rows))
 
 
 def step_row(move: Move, numbers: InsertedNumbers | None, printed: set[Equality]) -> FormulaRow:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas
+from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas, unindented
 from rotsolve.page.mathml_lines import math_pieces
 from rotsolve.page.printer import Printer
 
@@ -73,7 +73,7 @@ class HtmlRows:
     def formulas(self, block: Formulas) -> Iterator[str]:
         """A row for each equality: before the first stands where it comes from, the last has the number, which stands before a law."""
         yield f"<h{block.level}>{block.caption}</h{block.level}>"
-        yield from (f"<p>{self.words(remark)}</p>" for remark in block.remarks)
+        yield from (f"<p>{self.words(unindented(remark))}</p>" for remark in block.remarks)
         laws = [row for row in block.rows if row.numbered]
         yield from table_of(line for row in laws for line in self._law_rows(row))
         yield from (line for row in block.rows if not row.numbered for line in self._steps(row))

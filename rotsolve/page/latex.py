@@ -60,7 +60,7 @@ class Latex(TexPrinter):
     def formulas(self, block: Formulas) -> Iterator[str]:
         yield BOLD.format(block.caption)
         for remark in block.remarks:
-            yield from ("", self.words(remark))
+            yield from ("", self.words(blocks.unindented(remark)))
         lines: list[str] = []  # of one alignment, up to a step of which much is said
         for row in block.rows:
             if row.says_much:

@@ -140,7 +140,8 @@ class TextRows:
         if block.level == 2:
             yield TextLine(block.caption, "heading")
         for remark in block.remarks:
-            yield from paragraph_lines(self.words(remark), 2, width)
+            own = blocks.unindented(remark)
+            yield from paragraph_lines(self.words(own), 2 if own == remark else STEP, width)
         laws = [self._law_row(row) for row in block.rows if row.numbered]
         yield from column_lines(laws, 2, width)
         for row in (row for row in block.rows if not row.numbered):

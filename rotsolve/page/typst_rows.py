@@ -15,6 +15,7 @@ from rotsolve.page.blocks import (
     Formulas,
     Labels,
     joined_phrases,
+    unindented,
 )
 from rotsolve.page.printer import Printer
 
@@ -54,7 +55,7 @@ class TypstRows:
         """The lines in groups, whose signs stand below each other: a step of which much is said begins one."""
         yield from (f"{'=' * block.level} {self.printer.prose(block.caption)}", "")
         for remark in block.remarks:
-            yield f"#above[{self.words(remark)}]"
+            yield f"#above[{self.words(unindented(remark))}]"
         lines: list[str] = []
         for row in block.rows:
             if row.says_much:

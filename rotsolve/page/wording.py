@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Integral, Product
 from rotsolve.core.derivation import Cited, Move
 from rotsolve.page.blocks import Phrase, joined_phrases
 
@@ -17,10 +17,20 @@ def said_of_step(move: Move) -> Phrase:
         return (f"Another root of {move.into}",)
     if move.divisor:
         told = (", with ", *enumerated(cited_phrases(move.put))) if move.put else ()
-        return (f"Divide {move.into} by {move.divisor}", *told)
+        gone: Phrase = () if move.alone is None else (", so that ", move.alone, " cancels")
+        return (f"Divide {move.into} by {move.divisor}", *gone, *told)
     if not move.put:
         return (f"From {move.into}",)
-    return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}")
+    front = ", constants in front of the integral" if integral_alone(move) else ""
+    left: Phrase = () if move.alone is None else (", so that only ", move.alone, " is unknown")
+    return ("Put ", *enumerated(cited_phrases(move.put)), f" into {move.into}{front}", *left)
+
+
+def integral_alone(move: Move) -> bool:
+    """Whether a step begins with factors and an integral that the next line carries out."""
+    right = move.chain[0].right
+    factors = right.factors if isinstance(right, Product) else ()
+    return len(move.chain) > 1 and any(isinstance(factor, Integral) for factor in factors)
 
 
 def cited_phrases(put: Sequence[Cited]) -> list[Phrase]:

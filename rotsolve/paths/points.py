@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.formula import ZERO, Formula, add, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Formula, add, sqrt
 from rotsolve.core.facts import Motion, Whirl, signed, square
 from rotsolve.core.quantity import INSIDE, QUANTITIES
-from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit, vector
 from rotsolve.language.problem import Path, PointRef
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.places import gone_along
@@ -189,6 +189,8 @@ def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> F
 
 def displacement_over(path: Path, interval: Interval, first: Instant, last: Instant) -> Formula:
     """Displacement of a body's centre of mass over a phase, along its line or in one direction: x₂ − x₁."""
+    if path.owner not in first.configuration.bodies:
+        return slid_over(path, interval, first, last)
     name, motion = first.host(path.owner), first.motion(path.owner)
     if motion.kind == "plane" and path.component is None:
         message = f"`{path_text(path)}` of what moves freely in the plane has two components"
@@ -204,3 +206,19 @@ def displacement_over(path: Path, interval: Interval, first: Instant, last: Inst
         help = "solved is the way of a centre of mass to the right or up, `.x` or `.y`, and that along its line"
         raise NotYet(f"`{path_text(path)}` is not solved yet", help=help, span=path.span)
     return gone
+
+
+def slid_over(path: Path, interval: Interval, first: Instant, last: Instant) -> Formula:
+    """How far what lies on a side of a body slides down that in a phase, as seen from the body: (Δr − Δr_body) · e."""
+    item = first.configuration.connection(path.owner, first.state)
+    down = item.slides_down(first) if item is not None and path.component is None else None
+    if item is None or down is None:
+        raise NotYet(f"`{path_text(path)}` is solved of what lies on a side of a body", span=path.span)
+    way = NOWHERE
+    for name, sign in ((item.lying(), ONE), (item.places()[0].owner, -ONE)):
+        for axis in (RIGHT, UP):
+            gone = gone_along(first.host(name), axis, interval, first, last)
+            if gone is None:
+                raise NotYet(f"how far `{name}` goes is not told", span=path.span)
+            way = way + vector(sign * gone, axis)
+    return way.along(down)

@@ -148,6 +148,31 @@ class OfElements(AtInstant, frozen=True):
         both = (surface.away, surface.into) if surface is not None and surface.two_sided else ("", "")
         return Meaning(force.size, QUANTITIES[path.quantity].dimension, words=(force.way, "") if rubs else both)
 
+    def sliding(self, path: Path, acting: Acting) -> Meaning | None:
+        """How fast what lies on a side of a body slides down that, as seen from the body: (v − V) · e; likewise its acceleration."""
+        item = self._connection(path.owner)
+        surface = item.surface(self.instant.configuration, self.instant.state) if item is not None else None
+        if item is not None and surface is not None and surface.curved and surface.bearer() and path.component is None:
+            return self._round_side(path, item)
+        down = item.slides_down(self.instant) if item is not None else None
+        if item is None or down is None or path.component is not None:
+            return None
+        own, under = (self.instant.motion(name) for name in (item.lying(), item.places()[0].owner))
+        apart = (
+            own.acceleration - under.acceleration if path.quantity == "acceleration" else own.velocity - under.velocity
+        )
+        label = f"{path.quantity} of {spoken(item.lying())} relative to {spoken(item.places()[0].owner)}"
+        words = ("down the slope", "up the slope")
+        return Meaning(apart.along(down), QUANTITIES[path.quantity].dimension, label=label, words=words)
+
+    def _round_side(self, path: Path, item: Connection) -> Meaning | None:
+        """The speed u along a round side of a body, as seen from that."""
+        if path.quantity != "velocity":
+            return None
+        label = f"velocity of {spoken(item.lying())} relative to {spoken(item.places()[0].owner)}"
+        along = self.instant.ask("velocity", item.name, when=self.instant.moving, letter="u")
+        return Meaning(along, QUANTITIES["velocity"].dimension, label=label)
+
     def _stored(self, owner: str) -> Potential | None:
         """The energy that a spring or wire stores."""
         return next((item for item in self.facts().potentials if item.owner == owner), None)
@@ -238,6 +263,8 @@ OF_ELEMENTS: dict[str, Callable[[OfElements, Path, Acting], Meant | None]] = {  
     "elongation": OfElements.elongation,
     "length": OfElements.length,
     "potential_energy": OfElements.potential_energy,
+    "velocity": OfElements.sliding,
+    "acceleration": OfElements.sliding,
     "angle": OfElements.turning,
     "angular_velocity": OfElements.turning,
     "angular_acceleration": OfElements.turning,

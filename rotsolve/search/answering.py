@@ -26,7 +26,7 @@ from rotsolve.paths.points import resting
 from rotsolve.questions.find import Asked, entries, question_for
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
-from rotsolve.search.search import Search, asked_letter, is_unreal
+from rotsolve.search.search import Search, asked_letter, is_unreal, places_and_speeds
 
 Got = TypeVar("Got")
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
@@ -221,7 +221,7 @@ def answer_one(search: Search, find: Find) -> None:
             refuse_unsolved(search, error.shortage, find)
         raise no_answer(error, search, find) from None
     try:
-        for refuse in (refuse_unreal, refuse_open, refuse_undefined):
+        for refuse in (refuse_unreal, refuse_open, refuse_by_place, refuse_undefined):
             refuse(search, find)
     except Unsolvable:  # asked again, it has no answer either
         for item in [item for item in search.answered if item.asked.find.name == find.name]:
@@ -263,6 +263,17 @@ def refuse_open(search: Search, find: Find) -> None:
             raise unsolvable(
                 scene.configuration.problem, f"`{find.name}` hangs on {missing}, which nothing tells", find.span
             )
+
+
+def refuse_by_place(search: Search, find: Find) -> None:
+    """Unsolvable where an answer at any time is one by the place or speed that runs with it: no function of time."""
+    running = places_and_speeds(search.scene.passages.values()) if find.runs else set[str]()
+    for answered in search.answered if running else ():
+        formula = answered.found.formula if answered.asked.find.name == find.name and not answered.aside else None
+        if formula is not None and formula.symbols() & running:
+            from rotsolve.search.explain import by_time_in_letters
+
+            raise by_time_in_letters(search.scene, find)
 
 
 def answer_with_condition(search: Search, find: Find) -> bool:

@@ -173,8 +173,11 @@ def no_way(passage: Passage, numbers: KnownBalls) -> bool:
     duration = numbers.size(passage.duration)
     if duration is not None and side_of(duration) in (0, -1):
         return True
-    timed = not has_quantities(passage.times[1])  # for so long it may go to and fro
-    return any(against_its_way(one, numbers) for one in passage.travels if not (timed and one.pace == POSITION))
+    timed = not has_quantities(
+        passage.times[1]
+    )  # for so long it may go to and fro, as what moves with others may at all times
+    fro = {one.body for one in passage.travels if one.pace == POSITION and (timed or one.body in passage.ways)}
+    return any(against_its_way(one, numbers) for one in passage.travels if one.body not in fro)
 
 
 def against_its_way(travel: Travel, numbers: KnownBalls) -> bool:

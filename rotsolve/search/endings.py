@@ -87,6 +87,8 @@ class Endings(Struct, dict=True):
             return other
         timeline = self.configuration.timeline
         found = turned_on_way(passage, self.settled, self.search, stuck=self.stuck)
+        if self.stuck and timeline.state(timeline.told(interval)[1]).time_told is not None:
+            return None  # a time comes, wherever that leads
         if timeline.state(interval.end).opened or found is None:
             if found is not None and self.nowhere(found[0]):
                 why = f"{spoken(found[0].body)} stays where it turns back"

@@ -7,18 +7,23 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ONE, Symbol, call, negate, sqrt
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, Formula, Symbol, call, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
+from rotsolve.core.equation import CENTRE_STAYS, MOMENTUM
 from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.quantity import FREQUENCIES, PLANE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
+from rotsolve.core.symbols import POSITION, RATES, has_quantities, key_of, of_kinds, phase_midst
+from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Given
 from rotsolve.laws.groups import one_motion
+from rotsolve.motion.timeline import Interval
 from rotsolve.search.numbers import Numbers
 
 
@@ -34,6 +39,9 @@ class Expected(Struct, frozen=True):
         quantity = self.scene.registry.quantities.get(name)
         if quantity is None:
             return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
+        sliding = self._by_slide(name, quantity) if quantity.kind == "velocity" else 0
+        if sliding:
+            return self._told(quantity.kind, quantity.owner, name, sliding)
         if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
         if quantity.kind == "velocity" and quantity.component in PLANE:
@@ -83,14 +91,32 @@ class Expected(Struct, frozen=True):
         if timed:
             return self._told(kind, owner, name, timed)
         change = travel.end - travel.start if travel.start is not None and travel.end is not None else None
-        told = [change]
         gone = travel.change if change is None else change
-        if not first and self.numbers.found(gone) == 0.0:  # it has come back
-            told = [negate(travel.before)]
-        elif not first:
-            told += [gone, travel.before, self.numbers.push(travel.initial)]
-        sign = self.numbers.sign(told)
+        if first:
+            sign = self.numbers.sign((change,))
+        elif self.numbers.found(gone) == 0.0:  # it has come back
+            sign = -self.numbers.onset(travel)
+        else:
+            sign = (
+                self.numbers.sign((gone,))
+                or self.numbers.onset(travel)
+                or self.numbers.sign((self._with_the_others(gone),))
+            )
         return self._told(kind, owner, name, sign) if sign else (0, ())
+
+    def _with_the_others(self, gone: Formula) -> Formula | None:
+        """How far a body goes as the common centre of mass of those that move together stays where it is."""
+        if not isinstance(gone, Symbol):
+            return None
+        ties = (one for one in self.scene.equations if one.law == CENTRE_STAYS and gone.name in one.symbols())
+        for tie in ties:
+            try:
+                found = solve_all([tie.left - tie.right], [gone.name]).get(gone.name)
+            except (NotLinear, Singular):
+                continue
+            if found is not None and not has_quantities(self.numbers.with_answers(found)):
+                return found
+        return None
 
     def _in_time(self, travel: Travel, passage: Passage) -> int:
         """Which way a body moves after a known time where the push changes evenly with the place: v₀ cos ω t + (a₀/ω) sin ω t."""
@@ -141,6 +167,58 @@ class Expected(Struct, frozen=True):
         sign, words = self.sign(turns[0])
         return (0, ()) if not share else (sign if share > 0 else -sign, words)
 
+    def _by_slide(self, name: str, quantity: SceneQuantity) -> int:
+        """The sign of a velocity of what hangs on how a body slides round a side of another: the rules and the momentum that is conserved
+        tie it to the speed u along that, which goes to where the next state has it."""
+        timeline, bodies = self.scene.configuration.timeline, self.scene.configuration.bodies
+        before = timeline.before(quantity.when) if quantity.when in timeline.order else None
+        if before is None or before.event is not None:
+            return 0
+        rules = [rule.velocity[0] - rule.velocity[1] for rule in self.scene.facts(quantity.when).rules]
+        letters = of_kinds({letter for side in rules for letter in side.symbols()}, ("velocity",))
+        slides = [letter for letter in letters if key_of(letter).owner not in bodies]
+        way = self._slides_to(key_of(slides[0]).owner, before) if len(slides) == 1 else 0
+        if not way or slides[0] == name:
+            return way
+        kept = [
+            one.left - one.right for one in self.scene.equations if (one.law, one.section) == (MOMENTUM, before.name)
+        ]
+        told = {letter: Symbol(letter) for tie in (*rules, *kept) for letter in tie.symbols()}
+        places = {letter: self.numbers.with_answers(told[letter]) for letter in told.keys() - of_kinds(told, RATES)}
+        values = self.scene.configuration.problem.values
+        ties = [simplify(tie.substitute(places).substitute(values)) for tie in (*rules, *kept)]
+        held = {letter for tie in ties for letter in of_kinds(tie.symbols(), RATES)} - set(slides)
+        try:
+            share = solve_all(ties, sorted(held)).get(name)
+        except (NotLinear, Singular):
+            return 0
+        return 0 if share is None else way * self.numbers.sign([share.substitute({slides[0]: ONE})])
+
+    def round_from(self, owner: str, state: str) -> tuple[Formula, int] | None:
+        """Where on a round side of another body a body is at the state before one, and the sense in which it goes round from there."""
+        timeline = self.scene.configuration.timeline
+        before = timeline.before(state) if state in timeline.order else None
+        item = self.scene.configuration.connection(owner, before.start) if before is not None else None
+        if before is None or before.event is not None or item is None or not item.carrier(self.scene.configuration):
+            return None
+        first = self.scene.instant(before.start)
+        out, angle = item.away(first), item.touching_angle(first)
+        along = self.numbers.sign([first.ask("velocity", owner, when=first.moving, letter="u")])
+        if out is None or not along:
+            return None
+        return angle, along if (out - heading(angle)).degrees % 360 else -along
+
+    def _slides_to(self, owner: str, phase: Interval) -> int:
+        """The sense in which a body slides round a surface in a phase, positive to the right over its top or through its bottom."""
+        first, last = (self.scene.instant(state) for state in (phase.start, phase.end))
+        item = self.scene.configuration.connection(owner, phase.end)
+        out = item.away(last) if item is not None else None
+        if item is None or out is None:
+            return 0
+        angles = [item.touching_angle(moment) for moment in (first, last)]
+        over = 1 if (out - heading(angles[1])).degrees % 360 else -1
+        return over * self.numbers.sign([angles[1] - angles[0]])
+
     def _along_carrier(self, rider: str, state: str, name: str) -> tuple[int, Words]:
         """Which way a body slides along another: outwards where its distance from the axis has grown."""
         configuration = self.scene.configuration
@@ -159,5 +237,5 @@ class Expected(Struct, frozen=True):
         travel = self._travel(interval, owner, "line" if kind == "displacement" else "turn", axis)
         if travel is None:
             return 0, ()
-        sign = self.numbers.sign((travel.before, self.numbers.push(travel.initial), travel.after))
+        sign = self.numbers.onset(travel) or self.numbers.sign((travel.after,))
         return (sign, ("the way in which it starts to move",)) if sign else (0, ())

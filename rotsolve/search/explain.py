@@ -21,11 +21,12 @@ from rotsolve.core.faults import (
 )
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import ACROSS_AXIS, ASKED, MIXED, POSITION, key_of, phase_midst, real
+from rotsolve.core.symbols import ACROSS_AXIS, ASKED, CONSTANT, MIXED, POSITION, TIME, key_of, phase_midst, real
 from rotsolve.core.writing import in_direction, spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem, State
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.hereafter import HEREAFTER
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import path_text
 from rotsolve.plan import Shortage
@@ -118,6 +119,7 @@ LINE_OR_EVENT = "give it a line, or an event that leads to it"
 FEW = 24  # unknowns of a question for which help is tried: of more, a line or two seldom is enough
 MANY = 6  # unknowns that a message names one by one
 FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
+TIME_IN_LETTERS = "ask for it at a state whose time is a letter: `end: {time: t1}`"
 APART = "the laws can not tell these forces apart: leave out a support, or give one of them"
 
 
@@ -145,6 +147,8 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     if (name := inertia_untold(error.shortage.unknowns, search)) is not None:
         message = f"too little is known to find `{find.name}`{alone}: nothing tells the moment of inertia of `{name}` across its axis"
         return unsolvable(problem, message, find.span, ACROSS, kind=INCOMPLETE)
+    if find.runs and moved_by_place(search.scene) is not None:
+        return by_time_in_letters(search.scene, find)
     pool = [search.planner.pool[index] for index in error.shortage.equations]
     laws = [law for law in pool if law.law.words and not any(key_of(name).kind == ASKED for name in law.symbols())]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
@@ -152,6 +156,18 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
     help = suggestion(missing, search, find, error.shortage.asked)
     return unsolvable(problem, message, find.span, help, kind=INCOMPLETE)
+
+
+def by_time_in_letters(scene: SceneEquations, find: Find) -> Unsolvable:
+    """A motion whose acceleration goes by the place or the speed, of which something is asked at any time."""
+    message = f"the motion of `{moved_by_place(scene)}` as a function of time is not solved yet"
+    return unsolvable(scene.configuration.problem, message, find.span, TIME_IN_LETTERS, kind=UNSOLVED)
+
+
+def moved_by_place(scene: SceneEquations) -> str | None:
+    """A body whose acceleration goes by its place or speed."""
+    travels = (travel for over in scene.passages.values() for travel in over.travels if travel.given not in (0, 1))
+    return next((travel.body for travel in travels if travel.pace not in (CONSTANT, TIME)), None)
 
 
 def inertia_untold(unknowns: Iterable[str], search: Search) -> str | None:
@@ -285,11 +301,11 @@ def suggestion_in_space(missing: Sequence[SceneQuantity | str], find: Find, scen
 
 
 def unreached(scene: SceneEquations) -> str:
-    """A state after the first of which nothing is said and to which no event leads."""
+    """A state of the scene after the first of which nothing is said and to which no event leads."""
     timeline = scene.configuration.timeline
     for interval in timeline.intervals:
         end = timeline.state(interval.end)
-        if interval.event is None and not end.conditions and not end.balance:
+        if interval.event is None and not end.conditions and not end.balance and end.name != HEREAFTER:
             return end.name
     return ""
 

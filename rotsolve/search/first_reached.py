@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from fractions import Fraction
 from functools import cmp_to_key
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, add, negate
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Travel
-from rotsolve.core.symbols import is_key
+from rotsolve.core.symbols import POSITION, is_key, is_quantity
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.bodies import Orbit
+from rotsolve.language.bodies import Orbit, PointRef
+from rotsolve.search.expected import Expected
 from rotsolve.search.numbers import Numbers
 from rotsolve.solver.steps import PickedRoot
 
@@ -49,14 +50,20 @@ class FirstReached(Struct, frozen=True):
         letter, scale, shift = self.place_behind(name)
         for interval, passage in self.scene.passages.items():
             for travel in passage.travels:
-                begin = self._begin(travel, letter, interval)
-                if begin is None:
+                begin, along = self._begin(travel, letter, interval), self._along(travel, letter)
+                if begin is None and along is None:
                     continue
                 turned_back = period is None and not all(isinstance(root, Number) for _, root in roots)
                 turned_back |= travel.kind == "turn" and self.scene.instant(passage.end.state).wound(travel.body)
-                places = [(k, root, (root - shift) / scale) for k, root in roots]
-                return self.first_of(places, *begin, scale, again=not turned_back)
-        return None
+                turned_back |= begin is None
+                places: Sequence[tuple[int, Formula, Formula]] = [
+                    (k, root, (root - shift) / scale) for k, root in roots
+                ]
+                start, way = begin or along or (ZERO, 0)
+                if begin is not None and not way:
+                    places = self._in_front(places, letter, passage.end.state)
+                return self.first_of(places, start, way, scale, again=not turned_back)
+        return self._on_ride(letter, roots)
 
     def first_of(
         self, places: Sequence[tuple[int, Formula, Formula]], start: Formula, way: int, scale: Formula, *, again: bool
@@ -98,6 +105,46 @@ class FirstReached(Struct, frozen=True):
             return None
         return (start - rest) / slope, (self.numbers.side(slope) or 0) * self._onset(travel)
 
+    def _along(self, travel: Travel, letter: str) -> tuple[Formula, int] | None:
+        """Where the way of a body that a letter tells starts, and which way it goes; None where nothing tells that."""
+        if travel.pace != POSITION:
+            return None
+        end, start = (
+            (travel.change, ZERO) if travel.end is None or travel.kind == "turn" else (travel.end, travel.start)
+        )
+        found = self._linear(end, letter) if letter in end.symbols() and start is not None else None
+        begun = None if found is None or start is None else self._known((start - found[1]) / found[0])
+        way = 0 if found is None else (self.numbers.side(found[0]) or 0) * self._onset(travel)
+        return (begun, way) if begun is not None and way else None
+
+    def _on_ride(self, letter: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
+        """Of several distances from the axis the one to which a body first comes that slides along another; None where nothing tells which
+        way it goes."""
+        timeline, body = self.scene.configuration.timeline, self.scene.configuration.body
+        for interval in timeline.intervals:
+            for ride in self.scene.configuration.rides(interval.start) if interval.event is None else ():
+                name = ride.rider.owner
+                start, end = (getattr(body(name, at).shape, "radius", None) for at in (interval.start, interval.end))
+                if start is None or end != Symbol(letter):
+                    continue
+                begun, way = self._known(start), self._way(self.scene.instant(interval.start).outward(name))
+                places = [(k, root, root) for k, root in roots if self.numbers.side(root) in (0, 1)]
+                return self.first_of(places, begun, way, ONE, again=False) if begun and way and places else None
+        return None
+
+    def _in_front(
+        self, places: Sequence[tuple[int, Formula, Formula]], letter: str, state: str
+    ) -> Sequence[tuple[int, Formula, Formula]]:
+        """The places at which all bodies lie in front of the surfaces that they touch, where the way there is not told; else all."""
+        from rotsolve.search.swings import bodies_standing
+
+        bodies = {body.name for body, _, _ in bodies_standing(letter, [state], self.scene)}
+        gaps = list(gaps_to_surfaces(bodies, state, self.scene)) if bodies else []
+        front = [
+            one for one in places if all(self.numbers.side(gap.substitute({letter: one[2]})) != -1 for gap in gaps)
+        ]
+        return front or places
+
     def _linear(self, value: Formula, letter: str) -> tuple[Formula, Formula] | None:
         """Slope and rest of a value that is slope · letter + rest; None of any other."""
         at = [value.substitute({letter: Number(Fraction(number))}) for number in range(3)]
@@ -107,7 +154,12 @@ class FirstReached(Struct, frozen=True):
 
     def _onset(self, travel: Travel) -> int:
         """Which way a coordinate sets out: as it moves at the start, else as it is pushed; 0 where nothing tells."""
-        return self.numbers.sign((travel.before, self.numbers.push(travel.initial)))
+        return self.numbers.onset(travel) or self._way(travel.before)
+
+    def _way(self, rate: Formula) -> int:
+        """The sign of a rate at a state, as numbers tell it, else as it has moved there; 0 where nothing tells."""
+        known = self.numbers.sign((rate,))
+        return known or (Expected(self.scene, {}, self.numbers).sign(rate.name)[0] if is_quantity(rate) else 0)
 
     def _known(self, value: Formula) -> Formula | None:
         """A value with the answers put in; None where that leaves it without a number."""
@@ -118,7 +170,7 @@ class FirstReached(Struct, frozen=True):
         """The way to a place on a circle; a place at which it is already is a whole turn away."""
         if not way:
             ahead = self.numbers.side(place - start)
-            return WayToRoot(root, value, start - place if ahead == -1 else place - start)
+            return WayToRoot(root, value, start - place if ahead == -1 else place - start if ahead else TURN)
         gap = place - start if way > 0 else start - place
         turns = self.numbers.whole(gap / TURN) or 0
         rest = gap - turns * TURN
@@ -171,3 +223,12 @@ class FirstReached(Struct, frozen=True):
             return name, ONE, ZERO
         found = self._linear(formula, angles[0])
         return (name, ONE, ZERO) if found is None else (angles[0], *found)
+
+
+def gaps_to_surfaces(bodies: Collection[str], state: str, scene: SceneEquations) -> Iterator[Formula]:
+    """How far in front of each surface that they touch the centres of mass of some bodies lie at a state."""
+    instant = scene.instant(state)
+    for item in scene.configuration.connections(state):
+        away = item.away(instant)
+        if away is not None and (name := item.slider().owner) in bodies:
+            yield (instant.point(PointRef(name, "cm")) - item.touching_arm(instant)).along(away)

@@ -11,6 +11,7 @@ from msgspec import Struct
 from rotsolve.algebra.certified.ball import decided_by_size, ends
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula
+from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import is_quantity
 
 FIGURES = (15, 60, 240)  # significant figures at which a number is looked at, one after the other, until it tells
@@ -73,8 +74,18 @@ class Numbers(Struct, frozen=True):
                 return side
         return 0
 
+    def onset(self, travel: Travel) -> int:
+        """Which way a body sets out: as it moves at the start, else, from rest, as it is pushed; 0 where nothing tells.
+
+        A speed at the start that is a letter of its own, as that of a wheel that another one turns, is found aside.
+        """
+        side = self.side(self.with_answers(travel.before))
+        if side is None and (speed := self.push(travel.before)) is not None:
+            side = self.side(self.with_answers(speed))
+        return self.sign((self.push(travel.initial),)) if side == 0 else side or 0
+
     def push(self, acceleration: Formula | None) -> Formula | None:
-        """The acceleration that starts the motion, found aside."""
+        """An acceleration or a speed at the start of a motion, found aside where it is a letter."""
         if not is_quantity(acceleration):
             return acceleration
         return self.aside(acceleration.name)

@@ -12,6 +12,7 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import is_quantity
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.noted import with_all_slots
 from rotsolve.language.problem import Condition, Find, Path, Problem, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
@@ -88,7 +89,14 @@ def leads_on(proposal: Proposal, scene: SceneEquations, find: Find, families: tu
     """Whether a question has an answer in the scene with the lines of a proposal, and nothing contradicts it; looked into once for all
     cases of its letters."""
     problem = scene.configuration.problem
-    key = (tuple(problem.lines), problem.bodies, problem.states, find.name, proposal.words, families)
+    key = (
+        tuple(problem.lines),
+        tuple(map(with_all_slots, problem.bodies)),
+        problem.states,
+        find.name,
+        proposal.words,
+        families,
+    )
     if key not in LED_ON:
         while len(LED_ON) >= REMEMBERED:
             del LED_ON[next(iter(LED_ON))]

@@ -7,7 +7,7 @@ whether it is asked for or not. Of letters all these are conditions of the case.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
@@ -61,6 +61,22 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         if why or turned:
             # what turns back at the other extreme may come to it from there
             yield never_reached(interval, configuration, why or turned, sure=bool(why))
+
+
+def led_away_from(intervals: Iterable[Interval], search: Search) -> Iterator[NeverReached]:
+    """The states that tell a rate to which a steady acceleration does not lead, Δv/a < 0, of phases whose time nothing else tells."""
+    configuration, aside = search.scene.configuration, search.apart(careful=True)
+    for interval in intervals:
+        passage = search.scene.passages[interval.name]
+        lasts = aside.settled(passage.duration)
+        side = None if lasts is None or has_quantities(lasts) else search.numbers.side(lasts)
+        if side == -1:
+            yield never_reached(interval, configuration, "what moves goes away from it")
+        for travel in passage.travels if side is None else ():
+            push, gained = aside.settled(travel.acceleration), aside.settled(travel.after - travel.before)
+            sides = [None if value is None else search.numbers.side(value) for value in (push, gained)]
+            if travel.pace == CONSTANT and sides[0] == 0 and sides[1]:
+                yield never_reached(interval, configuration, f"{spoken(travel.body)} goes on as fast as it does")
 
 
 def only_neared(passage: Passage, search: Search, aside: Search) -> str:

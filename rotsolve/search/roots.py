@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -19,11 +19,10 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Passage
 from rotsolve.core.symbols import POSITION, RATES, is_key, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Find, Given, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.expected import Expected
-from rotsolve.search.first_reached import FirstReached
+from rotsolve.search.first_reached import FirstReached, gaps_to_surfaces
 from rotsolve.search.numbers import Numbers
 from rotsolve.solver.steps import PickedRoot
 
@@ -93,15 +92,13 @@ class RootChoice(Struct, frozen=True):
             return True
         from rotsolve.search.swings import balanced
 
-        for body, _, facts in balanced(name, self.scene):
-            instant, centre = self.scene.instant(facts.state), PointRef(body.name, "cm")
-            for item in self.scene.configuration.connections(facts.state):
-                away = item.away(instant)
-                if away is None or item.slider().owner != body.name:
-                    continue
-                before = (instant.point(centre) - item.touching_arm(instant)).along(away)
-                if self.numbers.side(before.substitute({name: root})) == -1:
-                    return False
+        gaps = (
+            gap
+            for body, _, facts in balanced(name, self.scene)
+            for gap in gaps_to_surfaces((body.name,), facts.state, self.scene)
+        )
+        if any(self.numbers.side(gap.substitute({name: root})) == -1 for gap in gaps):
+            return False
         from rotsolve.search.pressing import pushes_of
 
         pushes = pushes_of(name, self.scene, self.numbers)
@@ -138,6 +135,7 @@ class RootChoice(Struct, frozen=True):
             alike = tuple(index for index, _ in found)
             return PickedRoot(self._smallest(found, roots), told, guessed=count > 1, alike=alike)
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered, period)
+        reached = self._first_round(name, numbered) if reached is None else reached
         if reached is not None:
             return reached
         sign, words = self._expected(name)
@@ -149,16 +147,50 @@ class RootChoice(Struct, frozen=True):
         positive = [entry for entry in real if entry[1] >= 0]
         return PickedRoot(self._smallest(positive or real, roots), ("the positive root",), guessed=len(positive) != 1)
 
+    def _first_round(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
+        """Of several places on a round side of a body the one to which comes first what is told to move at the state before."""
+        quantity = self.scene.registry.quantities.get(name)
+        if quantity is None or quantity.kind != "angle" or quantity.owner in self.scene.configuration.bodies:
+            return None
+        found = Expected(self.scene, self.givens, self.numbers).round_from(quantity.owner, quantity.when)
+        start = None if found is None else self.numbers.found(found[0])
+        if found is None or start is None:
+            return None
+        sense, ways = found[1], list[tuple[float, int, int]]()
+        for index, root in roots:
+            place = self.numbers.of(root)
+            if place is not None:
+                way = (sense * (place - start)) % math.tau
+                way = way if way > SAME else way + math.tau
+                ways.append((way, index, round((start + sense * way - place) / math.tau)))
+        if not ways:
+            return None
+        decided_by_size()
+        _, index, turns = min(ways)
+        return PickedRoot(index, ("the first place to which it comes",), Fraction(turns), 2 * PI)
+
     def _left(self, name: str, real: list[tuple[int, float]], roots: Sequence[Formula]) -> list[tuple[int, float]]:
         """Without the place from which a motion along a line sets out from rest, where it is looked for at rest again."""
+        for start in self._left_at_rest(name):
+            known = self.numbers.with_answers(start)
+            begun = self.numbers.of(known) or 0.0
+            exact = [(k, number) for k, number in real if self.numbers.side(roots[k] - known) != 0]
+            return [(k, number) for k, number in exact if abs(number - begun) > SAME * abs(begun)] or real
+        return real
+
+    def _left_at_rest(self, name: str) -> Iterator[Formula]:
+        """The places along lines, or along what carries a body, that a motion leaves from rest, and comes to rest again at one sought."""
         for passage in self.scene.passages.values():
             for travel in passage.travels:
-                asked = travel.pace == POSITION and isinstance(travel.end, Symbol) and travel.end.name == name
+                asked = travel.pace == POSITION and travel.end == Symbol(name)
                 if asked and travel.kind == "line" and travel.before == ZERO and self._rests(travel.after, passage):
-                    start = travel.start and self.numbers.with_answers(travel.start)
-                    left = [(k, number) for k, number in real if not start or self.numbers.side(roots[k] - start) != 0]
-                    return left or real
-        return real
+                    yield travel.start or ZERO
+            for ride in self.scene.configuration.rides(passage.start.state):
+                rider, states = ride.rider.owner, (passage.start.state, passage.end.state)
+                start, end = (getattr(self.scene.configuration.body(rider, at).shape, "radius", None) for at in states)
+                rates = [self.scene.instant(at).outward(rider) for at in states]
+                if start is not None and end == Symbol(name) and rates == [ZERO, ZERO]:
+                    yield start
 
     def _rests(self, rate: Formula, passage: Passage) -> bool:
         """Whether a rate at the end of a phase is zero, as told or by what ties it to others."""
@@ -266,9 +298,13 @@ class RootChoice(Struct, frozen=True):
         return self.numbers.with_answers(self.scene.instant(before.start).time()) if before else None
 
     def _is_change(self, name: str) -> bool:
-        """Whether a quantity is a change since the state before, or the time that it took."""
+        """Whether a quantity is a change since the state before, or its time; a stretch is one where the spring was not stretched."""
         quantity = self.scene.registry.quantities.get(name)
-        return quantity is not None and quantity.kind in ("displacement", "rotation", "time", "elongation")
+        if quantity is None or quantity.kind != "elongation":
+            return quantity is not None and quantity.kind in ("displacement", "rotation", "time")
+        travels = (travel for passage in self.scene.passages.values() for travel in passage.travels)
+        starts = [travel.start for travel in travels if travel.end == Symbol(name)]
+        return all(start is None or self.numbers.found(start) == 0.0 for start in starts)
 
     def _is_angle(self, name: str) -> bool:
         """Whether a letter is an angle."""

@@ -457,3 +457,14 @@ def test_the_factors_under_a_root_stand_in_one_product(power: str, known: str) -
     assert products and not any(isinstance(factor, Product) for node in products for factor in node.factors)
     numbers = {name: Number(Fraction(size)) for name, size in zip("mbFux", (2, 3, 17, 11, 7), strict=True)}
     assert evaluate(f - g, numbers).sign == 0
+
+
+@pytest.mark.parametrize("power", ["sqrt((u+F*x)/(F*x-u))", "2*sqrt((u+F*x)/(F*x-u))", "3/sqrt(b/(u+x))"])
+def test_a_logarithm_may_hold_a_root_of_a_quotient(power: str) -> None:
+    """It is written as √(a/b), and what comes back out of it is made of canonical roots."""
+    root, log = parse(power), parse(f"log({power})")
+    assert is_zero(call("exp", log) - root)
+    assert is_zero(call("exp", 2 * log) - root * root)
+    assert is_zero(call("log", call("exp", root)) - root)
+    numbers = {name: Number(Fraction(size)) for name, size in zip("bFux", (3, 17, 11, 7), strict=True)}
+    assert evaluate(simplify(log) - log, numbers).sign == 0

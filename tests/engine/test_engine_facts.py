@@ -165,15 +165,21 @@ def growth(stored: Formula, facts: Facts) -> Formula:
             result = result + differentiate(stored, name) * stretch[owner]
         elif kind in PLACES:
             if body is None:  # a place on a curved surface
-                result = result + differentiate(stored, name) * turning(facts)
+                result = result + differentiate(stored, name) * turning(facts, owner)
                 continue
             pace = body.motion.spin if kind == "angle" else body.motion.velocity.along(body.motion.heading or UP)
             result = result + differentiate(stored, name) * pace
     return result
 
 
-def turning(facts: Facts) -> Formula:
-    """Rate, counterclockwise, of the angle of the one body that is on a curved surface."""
+def turning(facts: Facts, owner: str) -> Formula:
+    """Rate, counterclockwise, of the angle of the one body that is on a curved surface; on a round side of another body ∓ u/ρ, of which
+    the rule across it tells ∓ u²/ρ."""
+    across = next((rule for rule in facts.rules if rule.owner == owner and rule.acceleration is not None), None)
+    along = [name for name in across.velocity[1].symbols() if key_of(name).owner == owner] if across is not None else []
+    if across is not None and across.acceleration is not None and along:
+        towards = across.acceleration[1] - across.acceleration[1].substitute({along[0]: ZERO})
+        return simplify(towards / Symbol(along[0]))
     (body,) = (body for body in facts.bodies if body.motion.bend is not None)
     bend = body.motion.bend
     assert bend is not None

@@ -140,15 +140,6 @@ find: {F: left.normal_force at after}
 """
 
 
-def test_a_second_law_gives_the_same_force() -> None:
-    """F = m g r²/(r² + 3 d²), of two laws for rotation; m g − F = m d α by Newton's second law is another way."""
-    assert any(
-        line
-        == "a second way: Newton's second law, rod, vertically, m g − F = m d α, with α = 3 g d/(r² + 3 d²), gives the same F"
-        for line in said(BENCH)
-    )
-
-
 def test_two_laws_with_one_unknown_as_a_factor_are_divided() -> None:
     """F d = I α by m g d = (I + m d²) α, where nobody asks for α; with α asked for, that is found first."""
     one = rotsolve.solve(BENCH)

@@ -223,7 +223,36 @@ BARS = (
     "find: {x: b.angular_velocity}\n"
 )
 ALL_TOLD = BARS.replace(" TOLD", ", b.angle: 90 deg").replace("PLACE", "50 cm")
+ON_A_WEDGE = (
+    "surfaces: {floor: level, ramp: {slope: 30 deg, of: wedge}}\nbodies: {wedge: {mass: 2*m, moves: left}, bar: {mass: m}}\n"
+    "connections: {base: {contact: [wedge, floor]}, slide: {contact: [bar, ramp]}TIED}\nACTING"
+    "states: {start: {TOLDat rest: all}}\nfind: {x: wedge.acceleration}\n"
+)
+IN_A_BOWL = (
+    "surfaces: {floor: level, bowl: {hollow: R, of: block}}\nbodies: {block: {mass: 2*m, moves: left}, bead: {mass: m}}\n"
+    "connections: {base: {contact: [block, floor]}, slide: {contact: [bead, bowl]}}\nfind: {x: period of small swings}\n"
+)
+ON_AN_ARM = (
+    "surfaces: {floor: level}\nbodies: {block: {mass: 2*m, moves: left}, arm: {shape: rod, mass: 0, length: R}, bob: {mass: m}}\n"
+    "connections: {base: {contact: [block, floor]}, pin: {hinge: [block, arm.start]}, tied: {weld: [arm.end, bob]}}\n"
+    "find: {x: period of small swings}\n"
+)
+ON_A_TURNING_PLATE = (
+    "surfaces: {ramp: {slope: 30 deg, of: plate}}\nbodies: {plate: {shape: rectangle, mass: m, sides: [1 m, 10 cm]}, bar: {mass: m}}\n"
+    "connections: {pin: {hinge: plate.corner1}, slide: {contact: [bar, ramp]}}\nstates: {start: at rest}\n"
+    "find: {x: plate.angular_acceleration}\n"
+)
 CASES = {  # a scene that is refused, and the same said in another way that is answered, where there is one
+    "a spring on a wedge": (
+        ON_A_WEDGE.replace("TIED", ", coil: {spring: [ground, bar], stiffness: 100 N/m}")
+        .replace("ACTING", "")
+        .replace("TOLD", "coil.elongation: 1 cm, "),
+        ON_A_WEDGE.replace("TIED", "")
+        .replace("ACTING", "actions: {pull: {force: 1 N, on: bar, direction: left}}\n")
+        .replace("TOLD", ""),
+    ),
+    "a side that turns": (ON_A_TURNING_PLATE, ""),
+    "swings in a free bowl": (IN_A_BOWL, ON_AN_ARM),
     "damped fall": (
         ROD + OIL + FALL + "find: {x: rod.angular_velocity at low}\n",
         ROD + "actions: {oil: {couple: -tau, on: rod}}\n" + FALL + "find: {x: rod.angular_velocity at low}\n",

@@ -354,3 +354,18 @@ find: {{a: {asked}.acceleration at start}}
     with pytest.raises(Unsolvable, match=r"whether friction holds .* from `start` on is not told") as refused:
         solve(scene)
     assert refused.value.fault.kind == UNSOLVED
+
+
+def test_what_is_read_of_a_body_is_not_lost_on_the_way_to_a_help() -> None:
+    """Records that note what of them is read are compared with what they hold beside their slots."""
+    with pytest.raises(Unsolvable, match="too little is known to find `y`") as refused:
+        solve("""
+        plane: horizontal
+        given: {m: 6 kg, R: 1 m, M: 3 kg, F: 19 N, v: 4 m/s}
+        bodies: {one: {mass: m, moves: right}, two: {shape: disc, mass: M, radius: R}}
+        connections: {bolt: {weld: [one, two.bottom]}}
+        actions: {push: {force: F, on: one, direction: left, from: start, to: end}}
+        states: {start: {one.velocity: -v}, end: {one.velocity: 0}}
+        find: {y: bolt.torque at end}
+        """)
+    assert "say more about the state" in refused.value.fault.help

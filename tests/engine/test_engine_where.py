@@ -146,6 +146,7 @@ def test_a_question_without_an_answer_says_why_with_those_that_it_names() -> Non
     assert "does not depend on `x`" in solution.derivation.refused[0].fault.message
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("word", ["largest", "smallest"])
 @pytest.mark.parametrize("given", ["M: kg, L: m, m: kg, u: m/s", "M: 3 kg, L: 1 m, m: 2 kg, u: 3 m/s"])
 def test_a_letter_that_is_sought_has_its_value_in_an_extreme_too(given: str, word: str) -> None:
@@ -181,6 +182,7 @@ find: {{y: x where rod.angular_velocity is largest at low}}
 """
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("x", ["m", "unknown"])
 @pytest.mark.parametrize("letters", [NUMBERS, LETTERS])
 def test_what_is_not_real_beyond_a_place_ceases_there(letters: dict[str, str], x: str) -> None:

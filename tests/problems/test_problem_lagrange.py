@@ -40,7 +40,7 @@ plate-moved-by-machine cylinder-like-a-sphere oblique-cylinder plate-diagonal pl
 rotor-in-a-turning-frame skew-disc skew-rod train-on-a-curve turbine-of-a-ship wheel-on-step-pulled wheel-on-step-pushed
 fan-with-two-blades propeller-that-turns-two-ways shaft-out-of-balance two-plane-balancing masses-that-balance-a-rotor
 sign-held-by-two-cables"""
-FRICTION = """spinning-wheel-set-down spool-largest-pull hawser-round-a-bollard"""
+FRICTION = """spinning-wheel-set-down spool-largest-pull bar-kept-on-a-driven-prism hawser-round-a-bollard"""
 NO_LAW = """puck-of-given-momentum coin-on-a-turntable top-that-creeps-to-the-vertical
 disc-through-60-degrees earth-turning moon-turning wheel-acceleration-by-angle wheel-angle-polynomial wheel-angle-quadratic
 wheel-constant-acceleration wheel-falling-acceleration wheel-reversed wheel-runs-back wheel-slowed-by-its-speed wheel-speed-from-angle
@@ -51,8 +51,9 @@ DISTURBED = "book-about-its-middle-axis stability-of-three-axes"  # by Euler's e
 NUTATION = "sleeping-top-touched spherical-pendulum-nods top-that-trembles"  # small, in the effective potential
 NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on-a-tilted-turntable"
 TOLD_BY_POWER = "flywheel-constant-power"
-UNKNOWN_TRACK = "loop-the-loop"
+UNKNOWN_TRACK = "loop-the-loop rough-slide-then-smooth-one"
 GIVEN_TURN = "momentum-as-a-function-of-time"
+ROUND_SIDES = "particle-in-a-free-bowl particle-off-a-free-dome"  # v = V + u t ties rates at one moment
 
 NOTHING, ALONE = "do not settle anything that is asked here", "alone can not tell"
 REASONS = {  # the problems, and what the message and its help say
@@ -67,6 +68,7 @@ REASONS = {  # the problems, and what the message and its help say
     NONHOLONOMIC: (NOTHING, "ties its rates, and not its coordinates"),
     TOLD_BY_POWER: (NOTHING, "does not tie places"),
     UNKNOWN_TRACK: (ALONE, "energy gives it"),
+    ROUND_SIDES: (f"{ALONE}|is not solved by these laws", "more than one law|an assembly"),
     GIVEN_TURN: (NOTHING, "it takes Newton's laws|none of the laws"),
 }
 REFUSED = {name: reason for names, reason in REASONS.items() for name in names.split()}
@@ -86,10 +88,11 @@ def test_it_is_answered_or_refused_for_a_known_reason(problem_file: Path) -> Non
     message, help = REFUSED.get(problem_file.stem, ("", ""))
     assert bool(found) == (problem_file.stem in REFUSED), [fault.message for fault in found]
     for fault in found:
-        assert fault.message.startswith(SAID) and re.search(message, fault.message), fault.message
+        assert SAID in fault.message and re.search(message, fault.message), fault.message
         assert fault.help and re.search(help, fault.help), fault.help
 
 
+@pytest.mark.sampled(3)
 def test_its_page_has_printed_letters_alone(problem_file: Path) -> None:
     try:
         solution = solved(problem_file, LAGRANGE)

@@ -23,6 +23,7 @@ def when(angle: float, way: int) -> float:
     return (2 + way * math.sqrt(4 - 2 * SLOWER * angle)) / SLOWER
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize(
     ("asked", "told", "degrees", "way"),
     [

@@ -56,6 +56,7 @@ def test_a_speed_that_is_told_never_gets_it_to_its_balance() -> None:
         solve(text)
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize(("word", "sense"), [("largest", 1), ("smallest", -1)])
 def test_either_sense_is_asked_for_as_the_refusal_says(word: str, sense: int) -> None:
     text = PELLET.replace("FAR", BACK)

@@ -45,6 +45,7 @@ def confirmed(solution: Solution) -> dict[str, float]:
     return {item.name: item.value.float for item in solution.derivation.answers if item.name in holds and item.value}
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("at", ["now", "later"])
 @pytest.mark.parametrize(
     ("line", "said"),

@@ -25,6 +25,7 @@ def scene(later: str, find: str = "t: T") -> str:
     return TOP.replace("LATER", later).replace("FIND", find).replace(", T: unknown" if "T" not in later else "%", "")
 
 
+@pytest.mark.sampled(2)
 @pytest.mark.parametrize("angle", [40, 300, 370, 400])
 def test_the_time_of_an_angle_is_confirmed(angle: int) -> None:
     found = solve(scene(f"time: T, top.precession_angle: {angle} deg"))

@@ -75,6 +75,6 @@ def test_what_does_not_turn_is_found() -> None:
 
 
 def test_scenes_of_a_seed_have_verdicts() -> None:
-    results = [run(7, number) for number in range(20)]
+    results = [run(7, number) for number in range(10)]
     assert {result.outcome for result in results} <= set(VERDICTS) - {SILENT, BROKEN}
-    assert sum(result.outcome == RIGHT for result in results) >= 5
+    assert sum(result.outcome == RIGHT for result in results) >= 2

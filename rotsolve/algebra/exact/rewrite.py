@@ -267,7 +267,7 @@ class Rewriter:
             share = lcm(self.exp_shares.get(term, 1), value.denominator)
             n = int(value * share)
             if isinstance(term, Call) and term.function == "log" and share == 1:
-                base = term.arguments[0]
+                base = self._rewrite(term.arguments[0])  # its roots may have been written as √(a/b)
             elif abs(n) > POWER_LIMIT:
                 base, n = call("exp", angles.combination({term: value})), 1
             else:
@@ -280,10 +280,10 @@ class Rewriter:
         if shown == ONE:
             return ZERO
         if isinstance(shown, Call) and shown.function == "exp":
-            return shown.arguments[0]
+            return self._rewrite(shown.arguments[0])
         if isinstance(shown, Number) and 0 < shown.value < 1 and not self.split_logs:
             return negate(self._same("log", Number(1 / shown.value)))
-        return self.radicals.log(shown) if self.split_logs else self._same("log", shown)
+        return self.radicals.log(argument) if self.split_logs else self._same("log", shown)
 
     def _inverse(self, function: str, arguments: tuple[Formula, ...]) -> Formula:
         exact = exact_inverse(function, arguments)

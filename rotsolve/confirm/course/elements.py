@@ -24,6 +24,7 @@ from rotsolve.confirm.course.reading import (
 )
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Way
+from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
 from rotsolve.elements.actions import Band
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.strings import String
@@ -197,6 +198,18 @@ def turning(at: Node, path: Path, term: Term | None) -> Reckoned:
     return of_body(at, Path(last_body(at, path.owner), path.quantity), term)
 
 
+def sliding_down(at: Node, path: Path, term: Term | None) -> Reckoned:
+    """How fast a body slides down a side of another one, as seen from that; or the rate of that."""
+    item, rounding = on_side(path.owner, at.model), on_round_side(path.owner, at.model)
+    if rounding is not None and path.quantity == "velocity" and path.component is None:
+        place = from_middle(rounding, at.pose, at.model)
+        return number(scalar((place[0].rate, place[1].rate), way_round(rounding, at.pose, at.model)))
+    if item is None or path.component is not None:
+        raise NotConfirmed(f"the {path.quantity} of `{path.owner}`")
+    found = gone_down(item, at.pose, at.model)
+    return number(found.rate if path.quantity == "velocity" else second_rate(found, at))
+
+
 Reading = Callable[["Node", Path, "Term | None"], Reckoned]
 OF_ELEMENTS: dict[str, Reading] = {
     "tension": tension,
@@ -207,5 +220,7 @@ OF_ELEMENTS: dict[str, Reading] = {
     "power": power,
     "elongation": elongation,
     "potential_energy": potential_energy,
+    "velocity": sliding_down,
+    "acceleration": sliding_down,
     **dict.fromkeys(("angle", "angular_velocity", "angular_acceleration"), turning),
 }

@@ -238,10 +238,11 @@ def still_to_go(line: Condition, gap: float) -> float:
     return math.remainder(gap, 2 * math.pi) if whole else gap
 
 
-def rates_along(first: Node, q: Sequence[float], line: Condition) -> list[float] | None:
-    """The rates of all coordinates where the line's place grows by one; None where there is more than one way to go."""
-    rows = kept_rows(first, q)
-    slopes = [*[slope for slope, _ in rows], slope_of(first, q, line).slope]
+def rates_along(first: Node, q: Sequence[float], line: Condition, still: Sequence[int] = ()) -> list[float] | None:
+    """The rates of all coordinates where the line's place grows by one, and some are `still`; None where there is more than one way to
+    go."""
+    rows = [*[slope for slope, _ in kept_rows(first, q)], *[{index: 1.0} for index in still]]
+    slopes = [*rows, slope_of(first, q, line).slope]
     found = solved(slopes, [*[0.0 for _ in rows], 1.0], len(q))
     if found.clash > 1e-9 or any(first.model.masses[index] for index in found.open):
         return None

@@ -166,7 +166,9 @@ class Course:
 
     def _set_out(self, first: Node, state: State) -> Node:
         """The instant from which a motion is followed; what the least push drives comes to its next state nobody knows when."""
-        if len(state.conditions) > 1 or not any(line.word == "leaves" for line in state.conditions):
+        lines = state.conditions
+        places = (line for line in lines if line.path is not None and line.path.quantity == "angle")
+        if len(lines) > 1 or not (any(line.word == "leaves" for line in lines) or any(places)):
             return first
         from rotsolve.confirm.course.nudged import barely_moving
 

@@ -10,9 +10,10 @@ from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.bodies import is_round
 from rotsolve.confirm.instant import BACK, FORWARD, Dynamics, Placed, moment
 from rotsolve.confirm.jet import Jet, Slope
-from rotsolve.confirm.lines import bent, circle_of, from_middle, left_from
+from rotsolve.confirm.lines import bent, circle_of, left_from, on_curve
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Pair, Pose, Way
+from rotsolve.confirm.sides import from_middle
 from rotsolve.confirm.signs import round_way
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.supports import Rides
@@ -215,10 +216,10 @@ class Node:
 
     def height(self, name: str) -> float:
         """Above the centre of a dome, above the lowest place in a bowl."""
-        found = bent(name, self.model) or left_from(name, self.model)
+        found = on_curve(name, self.model) or left_from(name, self.model)
         if found is None:
             raise NotConfirmed(f"no level from which the height of `{name}` counts")
-        above = self.pose.place(name, (0.0, 0.0))[1].value
+        above = from_middle(found[0], self.pose, self.model)[1].value
         return above + (0.0 if found[1].outside else circle_of(found, self.model))
 
     def carrier(self, name: str) -> str | None:

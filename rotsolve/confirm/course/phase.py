@@ -167,7 +167,8 @@ class NextState:
             raise NotConfirmed(f"nothing tells when `{self.state.name}` is")
         rates = [(old - new) / lap.step.width for old, new, lap in zip(gaps, gaps[1:], last, strict=False)]
         name, elapsed = self.state.name, self.node.time - self.first.time
-        if all(rate < 0.0 for rate in rates) and gaps[-1] > MUCH * begun:
+        leaves = abs(self.gauges[0].value(self.first)) > VERGE * self.gauges[0].size  # else it is so at the start too
+        if leaves and all(rate < 0.0 for rate in rates) and gaps[-1] > MUCH * begun:
             raise Astray(f"`{name}` is not reached: what moves goes away from it")
         slower = all(later < rate for rate, later in pairwise(rates))
         if slower and 0.0 <= rates[-1] * MUCH * elapsed < gaps[-1]:
@@ -353,8 +354,10 @@ def finely(found: list[Gauge], first: Node) -> list[Gauge]:
     """What a state says alone with a size that is small where little is left of it at first: a slow speed that is to vanish."""
     if len(found) != 1 or found[0].passing:
         return found
-    begun = SLOW * abs(found[0].value(first))
-    return [replace(found[0], size=min(found[0].size, begun))] if begun else found
+    begun = abs(found[0].value(first))
+    if begun <= VERGE * found[0].size:  # so at the start itself, but for rounding
+        return found
+    return [replace(found[0], size=min(found[0].size, SLOW * begun))]
 
 
 def stilled(at: Node, scale: float, stopped: str = "") -> Node:

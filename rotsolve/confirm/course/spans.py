@@ -14,6 +14,7 @@ from rotsolve.confirm.course.following import Course
 from rotsolve.confirm.course.mechanics import power as power_on
 from rotsolve.confirm.course.node import Node
 from rotsolve.confirm.course.reading import Reckoned, component_of, motion, number, point_place, rates, scalar, values
+from rotsolve.confirm.sides import gone_down, on_side
 from rotsolve.language.problem import Path, Term
 
 
@@ -42,6 +43,8 @@ def displaced(span: Between, term: Term) -> Reckoned:
     """How far a point has come: along the line of travel of its body, or as a vector."""
     path = term.path
     first, last = span.ends
+    if path.owner not in first.model.seats and (item := on_side(path.owner, first.model)) is not None:
+        return span.sum(lambda at: gone_down(item, at.pose, at.model).rate)
     pairs = [(first, last), *((met, before) for before, met in span.course.brought(span.start, span.end))]
     way = (0.0, 0.0)
     for pair in pairs:

@@ -81,6 +81,10 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
     draw_plane_actions(stage, sheet)
     draw_blows(stage, sheet)
     draw_angles(stage, sheet)
+    if any(item.side is not None for item in stage.kinds.contacts):
+        from rotsolve.draw.plane.signs.marked_sides import mark_sides
+
+        mark_sides(stage, sheet)
     draw_lengths(stage, sheet)
     draw_senses(stage, sheet)
     draw_names(stage, sheet)

@@ -84,7 +84,7 @@ class Contact(Touch, frozen=True):
             if leans is not None:
                 return leans
         if scene.plane != "horizontal" or self.friction.kind == "none" or len(self.contact) > 2:
-            return self
+            return super().seen(scene, level)
         bodies = {body.name: body for body in scene.bodies}
         if own in bodies and under in bodies and shape_of(bodies[own]).pointlike and self.press is None:
             held = {ref.owner for item in scene.connections for ref in item.fixed_points()}

@@ -54,7 +54,7 @@ def leaning(item: Touch, grip: Friction, scene: SceneElements) -> Leans | None:
         return None
     below = bodies.get(under.owner)
     surface = next((one for one in cast("WithSurfaces", scene).surfaces if one.name == under.owner), None)
-    if surface is not None and not isinstance(surface, (Corner, Dome)):
+    if surface is not None and (surface.bearer() or not isinstance(surface, (Corner, Dome))):
         return None
     if below is not None:
         cornered = under.point is not None and under.point in corners(below)
@@ -62,7 +62,7 @@ def leaning(item: Touch, grip: Friction, scene: SceneElements) -> Leans | None:
             return None
     alone = sum(other.touches()[:1] == (own,) or other.lying() == own.owner for other in scene.connections) == 1
     pivots = grip.kind == "any" and own.point is not None and isinstance(surface, Corner) and alone
-    return Leans(item.name, (own, under), grip, pivots)
+    return Leans(name=item.name, contact=(own, under), friction=grip, pivots=pivots)
 
 
 def corners(body: Body) -> tuple[str, ...]:

@@ -22,6 +22,7 @@ WAYS = {"left": LEFT, "right": RIGHT, "up": UP, "down": DOWN}
 
 class Spring(Connection, frozen=True):
     word = "spring"
+    at_points = True
     about = "an ideal spring between two points"
     quantities = ("force", "elongation", "potential_energy", "work", "power", "length", "stiffness")
     kept = ("elongation", "force")

@@ -49,6 +49,7 @@ class String(Connection, frozen=True):
     """A string over, round and under what it touches, named in order from its first end (on the left) to its last."""
 
     word = "string"
+    at_points = True
     about = "a string by what it touches, in order from its first end on the left to its last"
     quantities = ("tension", "force", "work", "power", "impulse", "length")
     instead = (

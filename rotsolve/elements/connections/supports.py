@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Container, Iterator
 from typing import Any, ClassVar
 
 from msgspec.structs import replace
@@ -357,9 +357,6 @@ class Axle(Driven, frozen=True):
         if len(self.axle) == 1 or not mounts:
             return self
         return Mounted(**{name: getattr(self, name) for name in self.__struct_fields__}, mount=mounts[0])
-
-    def between_points(self, middle: Callable[[PointRef], PointRef]) -> Connection:
-        return replace(self, axle=tuple(map(middle, self.axle)))
 
     def held(self) -> tuple[PointRef, ...]:
         return self.axle

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import ClassVar
+from collections.abc import Container, Iterator
+from typing import Any, ClassVar
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import FRICTION, LIES, NORMAL, ROCKS, TOUCHES, Force, Requirement, Rule, enough, square
+from rotsolve.core.facts import FRICTION, LIES, LOAD, NORMAL, ROCKS, TOUCHES, Force, Requirement, Rule, enough, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.limits import Limit
 from rotsolve.core.symbols import has_quantities
@@ -30,10 +30,11 @@ from rotsolve.core.vectors.heading import (
 )
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.lying import check_from_above, check_led_along, check_off_post
+from rotsolve.elements.connections.sides import check_carrier, check_side_of, goes_aside, place_on_side, round_rules
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
-from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
+from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, SceneElements, Surroundings
 
 
 class Friction(Struct, frozen=True):
@@ -54,24 +55,28 @@ class Touch(Connection, frozen=True):
     """Base of contacts: a normal force, friction that sticks or slips, and the rule that goes with it."""
 
     quantities: ClassVar[tuple[str, ...]] = (
-        "force",
-        "normal_force",
-        "friction_force",
-        "friction",
-        "torque",
-        "angle",
-        "work",
-        "power",
-        "impulse",
-    )
+        "displacement", "velocity", "acceleration", "force", "normal_force", "friction_force", "friction", "torque", "angle",
+        "work", "power", "impulse",
+    )  # fmt: skip
     words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
     lays_first: ClassVar[bool] = True
     leaning: ClassVar[bool] = False  # whether a rod leans there with its side, which alone tells which way it is pushed
     side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
+    side: Surface | None = None  # the surface that the scene declares `of` the body named last: a side of that
+
     def pair(self) -> tuple[PointRef, ...]:
         """The body's point and the surface, or the surfaces that join smoothly: what stands under the key of its word."""
         return self.touches()
+
+    def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
+        """A surface `of` a body is that body, touched at a side of its own."""
+        own, under = self.pair()[:2]
+        side = next((one for one in scene.surfaces if one.name == under.owner and one.bearer()), None)
+        if side is None or len(self.pair()) > 2:
+            return self
+        changes: dict[str, Any] = {self.word: (own, replace(under, owner=side.bearer())), "side": side}
+        return replace(self, **changes)
 
     def on_rims(self, scene: Surroundings) -> tuple[PointRef, ...]:
         return self.pair()[:1]
@@ -97,7 +102,11 @@ class Touch(Connection, frozen=True):
         """A body on a surface or on a body that travels, or two wheels side by side."""
         ref, under = self.pair()[:2]
         carrier = scene.bodies.get(under.owner)
-        if carrier is not None and (ref.owner in scene.held or self.pressed):
+        if self.side is not None:
+            check_side_of(self, self.side, scene)
+            if isinstance(self.side, Curved):
+                self.check_curved(self.side, scene)
+        elif carrier is not None and (ref.owner in scene.held or self.pressed):
             if not (self.pressed or rim_radius(scene.bodies[ref.owner], None) or rim_radius(carrier, None)):
                 message = f"`{ref.owner}`, which a hinge holds, on `{carrier.name}` is not solved yet"
                 raise Unsolvable(message, span=ref.span, help="solved is a rod that leans with its side on a corner")
@@ -110,7 +119,7 @@ class Touch(Connection, frozen=True):
             from rotsolve.elements.connections.borne import check_on_top
 
             if not check_on_top(self, scene):
-                self.check_carrier(scene)
+                check_carrier(self, scene)
         self.check_side(scene)
         check_from_above(self, scene)
         self.check_places(scene)
@@ -130,23 +139,6 @@ class Touch(Connection, frozen=True):
     def pressed(self) -> bool:
         """Whether a force of its own presses it together."""
         return False
-
-    def check_carrier(self, scene: Surroundings) -> None:
-        """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
-        ref, under = self.pair()[:2]
-        carrier = scene.bodies[under.owner]
-        flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)}
-        laid = (item for item in scene.problem.connections if item.lying() == carrier.name and item is not self)
-        on_flat = any(item.places()[0].owner in (*flat, *scene.bodies) for item in laid)
-        if carrier.turns is not None or rim_radius(carrier, None) is not None or len(self.pair()) > 2:
-            raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
-        if not carrier.parts and not shape_of(carrier).backed:
-            message = f"`{ref.owner}` on `{carrier.name}`, a {shape_of(carrier).word}: on which side it lies is not solved yet"
-            raise Unsolvable(message, span=under.span, help="solved is a level back, as that of a body without a shape")
-        if not on_flat and carrier.moves not in ("left", "right"):
-            help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
-            message = f"nothing tells on what `{carrier.name}`, which carries `{ref.owner}`, travels"
-            raise Unsolvable(message, span=under.span, help=help)
 
     def check_places(self, scene: Surroundings) -> None:
         """Of surfaces that join, a track of unknown profile leads into a curved one; a curved one takes what fits it."""
@@ -215,6 +207,7 @@ class Touch(Connection, frozen=True):
 
             yield from room_at_rim(self, rim or ZERO, scene)
         surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
+        surfaces += [self.side] if self.side is not None else []
         for surface in surfaces if rim is not None else ():
             if isinstance(surface, Curved):
                 yield from surface.rooms(self.lying(), rim or ZERO, self.on_flat(scene))
@@ -241,6 +234,8 @@ class Touch(Connection, frozen=True):
         """The surface on which the body is: of several the curved one where the state speaks of the contact's angle; the back of
         another body lies as that on which it travels."""
         carrier = self.carrier(configuration)
+        if self.side is not None:
+            return self.side
         if carrier:
             from rotsolve.elements.connections.borne import rim_gone_round
 
@@ -262,16 +257,17 @@ class Touch(Connection, frozen=True):
         return ref.point in (None, "bottom", "rim", "center", *rims(body)) or rolling_part(body, ref.point) is not None
 
     def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
-        """A body that lies or rolls on a flat surface travels along it."""
+        """A body that lies or rolls on a flat surface travels along it, unless that is taken another way."""
         surface = self.surface(configuration, state) if self.rests(body) else None
-        if surface is None or isinstance(surface, Curved):
+        if surface is None or isinstance(surface, Curved) or goes_aside(self, configuration, state):
             return None
         return surface.travel(body.moves)
 
     def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
         surface = self.surface(configuration, state)
-        if not isinstance(surface, Curved) or not self.rests(body) or self.travels(configuration, state):
+        aside = self.side is not None or self.travels(configuration, state)
+        if not isinstance(surface, Curved) or not self.rests(body) or aside:
             return None
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
         way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
@@ -306,15 +302,19 @@ class Touch(Connection, frozen=True):
         """Rolling: v + ω × r = 0 at the contact, so travel with the surface on its right turns a wheel clockwise."""
         track, surface = self.track(body, configuration, state), self.surface(configuration, state)
         orbit = self.orbit(body, configuration, state)
-        if orbit is not None and isinstance(surface, Curved):
-            return orbit.way if surface.outside else -orbit.way
+        if isinstance(surface, Curved) and (orbit is not None or (self.side is not None and self.rests(body))):
+            way = surface.way(None) if orbit is None else orbit.way
+            return way if surface.outside else -way
+        if self.side is not None and track is None and self.rests(body) and not self.side.curved:
+            track = self.side.travel("down")
         if track is None or surface is None:
             return 0
         return -1 if (surface.normal - track[0]).degrees % 360 == 90 else 1
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        track = self.track(configuration.bodies[self.lying()], configuration, state)
-        return "constant" if track else "position"
+        body = configuration.bodies[self.lying()]
+        lies = self.side is not None and not self.side.curved and self.rests(body)
+        return "constant" if lies or self.track(body, configuration, state) else "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The normal force, the rule that the body stays on the surface where its motion does not say so, and friction."""
@@ -344,13 +344,24 @@ class Touch(Connection, frozen=True):
             label = f"{spoken(name)} stays on the {spoken(surface.name)}{self.told_apart(instant)}"
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
-            rule = self.no_slip(label, point, facing, instant, linear=False)
-            if isinstance(surface, Curved):
+            stays = self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant))
+            if isinstance(self.side, Curved):
+                yield from round_rules(self, stays, self.side, instant)
+            elif isinstance(surface, Curved):
                 from rotsolve.elements.connections.borne import round_a_centre
 
-                rule = round_a_centre(rule, self, surface, instant)
-            yield rule
+                yield round_a_centre(stays, self, surface, instant)
+            else:
+                yield stays
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def keeps_flat(self, instant: Moment) -> bool:
+        """Whether it lies all the way on a flat side of a body that goes another way: what holds of rates there holds of ways."""
+        lies = self.side is not None and not self.side.curved
+        return lies and self.rests(instant.body(self.lying())) and instant.motion(self.lying()).kind == "plane"
+
+    def slides_down(self, instant: Moment) -> Heading | None:
+        return self.side.travel("down")[0] if self.side is not None and self.keeps_flat(instant) else None
 
     def told_apart(self, instant: Moment) -> str:
         """ " at left support" of one of several contacts that a body has, or had, with the same thing; '' of the only one."""
@@ -415,10 +426,13 @@ class Touch(Connection, frozen=True):
     def forward(self, instant: Moment) -> Heading:
         """The way along the surface that counts as positive: that of the body's travel, else with the surface on its right."""
         surface = self.surface(instant.configuration, instant.state)
-        return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
+        ahead = self.course(instant) or self.slides_down(instant)
+        return ahead or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
     def ways_along(self, instant: Moment, name: str) -> tuple[str, str]:
         """Words for the way along the surface that counts as positive, and for the other way."""
+        if self.side is not None and self.slides_down(instant) is not None:
+            return self.side.travel("down")[1], self.side.travel("up")[1]
         return travel_words(self.forward(instant), self.course(instant), instant, name)
 
     def rubs(self) -> bool:
@@ -437,7 +451,7 @@ class Touch(Connection, frozen=True):
         """Of the touching point on what the body lies on, where that travels along a line."""
         motion, ground, forward = instant.motion(self.lying()), self.ground(instant), self.forward(instant)
         arm = self.touching_arm(instant)
-        if self.leans_freely(instant):
+        if self.leans_freely(instant) or self.keeps_flat(instant):
             rate = motion.acceleration_of(arm) - ground[1] if acceleration else motion.velocity_of(arm) - ground[0]
             return rate.along(forward)
         if motion.heading is None:
@@ -457,6 +471,8 @@ class Touch(Connection, frozen=True):
         motion = instant.motion(self.lying())
         if self.leans_freely(instant):
             return self.slip(instant)
+        if (down := self.slides_down(instant)) is not None:
+            return (motion.velocity - self.ground(instant)[0]).along(down)
         return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
@@ -464,6 +480,8 @@ class Touch(Connection, frozen=True):
         surface = self.surface(instant.configuration, instant.state)
         if surface is None or instant.host(self.lying()) != name:
             return None
+        if isinstance(self.side, Curved):
+            return place_on_side(self, self.side, way, instant, place_of)
         if isinstance(surface, Curved):
             from rotsolve.elements.connections.borne import place_round
 
@@ -485,7 +503,7 @@ class Touch(Connection, frozen=True):
     def underneath(self, instant: Moment) -> Vector:
         """From the reference of the body that carries it to where they touch: on the rim of a roller, else on a back that does not turn."""
         surface, under = self.surface(instant.configuration, instant.state), self.places()[0]
-        if surface is None:
+        if surface is None or self.side is not None:
             return NOWHERE
         facing = self.normal(surface, instant)
         if isinstance(surface, Curved):
@@ -545,7 +563,8 @@ class Touch(Connection, frozen=True):
         yield from self.both(force, instant, force.noun, reacts, name)
         rolling = motion.turns and touching_radius(instant.body(self.lying()), self.pair()[0].point) is not None
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
-        yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
+        flat = motion.kind == "line" or self.keeps_flat(instant)
+        yield self.no_slip(label, arm, forward, instant, linear=flat)
         if grip.static is not None:
             yield enough(self.name, size, grip.static * normal, "slip")
 
@@ -555,8 +574,9 @@ class Touch(Connection, frozen=True):
         carrier = self.carrier(instant.configuration)
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
-            arm = self.underneath(instant)
-            yield replace(force, body=host, direction=back, arm=arm, noun=noun, way=way, place=place, part=carrier)
+            role = LOAD if force.role == NORMAL else force.role
+            own = replace(force, role=role, body=host, direction=back, arm=self.underneath(instant), part=carrier)
+            yield replace(own, noun=noun, way=way, place=place)
 
 
 def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.equation import ENERGY, ROTATION, SECOND_LAW, Equation, Law
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, ROTATION, SECOND_LAW, Equation, Law
 from rotsolve.core.facts import FRICTION, TENSION, WEIGHT, BodyFacts, Couple, Facts, Force, Inertia, Role, Rule
 from rotsolve.core.passage import Alteration
 from rotsolve.core.symbols import of_kinds
@@ -318,3 +318,38 @@ def with_still_rims(owners: Collection[str], names: Collection[str]) -> Callable
         return replace(rule, velocity=velocity, acceleration=bent if rule.acceleration is not None else None)
 
     return changed
+
+
+def carrier_at_rest(scene: Scene) -> Made:
+    """v · n = 0 and a · n = 0 of what lies on a side of a body, as if that body did not move."""
+    configuration, state = scene.configuration, scene.configuration.timeline.states[0].name
+    for item in configuration.connections(state):
+        surface = item.surface(configuration, state)
+        if surface is None or not surface.bearer():
+            continue
+        words = f"the {spoken(surface.bearer())} was taken as at rest for the {spoken(item.lying())} on it"
+        altered = Alteration(facts=as_if_at_rest(item.name, configuration.host(surface.bearer(), state)))
+        yield words, Change(altered=altered, aside=(ENERGY, ANGULAR_MOMENTUM))
+
+
+def as_if_at_rest(owner: str, carrier: str) -> Callable[[Facts], Facts]:
+    """The rules of a contact without the rates of what carries it."""
+
+    def changed(facts: Facts) -> Facts:
+        motion = next((body.motion for body in facts.bodies if body.name == carrier), None)
+        parts = () if motion is None else (*motion.velocity.parts, *motion.acceleration.parts)
+        still = {name: ZERO for size, _ in parts for name in size.symbols()}
+        return replace(
+            facts, rules=tuple(at_rest_rule(rule, still) if rule.owner == owner else rule for rule in facts.rules)
+        )
+
+    return changed
+
+
+def at_rest_rule(rule: Rule, still: Mapping[str, Formula]) -> Rule:
+    """A rule with some rates put at zero."""
+    velocity = rule.velocity[0].substitute(still), rule.velocity[1].substitute(still)
+    if rule.acceleration is None:
+        return replace(rule, velocity=velocity)
+    acceleration = rule.acceleration[0].substitute(still), rule.acceleration[1].substitute(still)
+    return replace(rule, velocity=velocity, acceleration=acceleration)

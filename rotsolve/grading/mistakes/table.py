@@ -85,6 +85,11 @@ MISTAKES = [
         ("work left out", "mechanical energy is taken as conserved though work is done", energies.no_work),
         ("friction left out", "friction is left out", forces.no_friction),
         ("normal force as weight", "the normal force is taken as m g, as on the level", forces.normal_as_weight),
+        (
+            "carrier at rest",
+            "a wedge or the like is taken as at rest for what slides or rolls on it, N = m g cos β",
+            forces.carrier_at_rest,
+        ),
         ("mass for weight", "m is put for m g", forces.no_weight),
         ("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
         ("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
+from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.signs import normal, rests, surface_of
 from rotsolve.draw.paper.figure import Point, shifted_by
@@ -23,6 +24,7 @@ BLOCK, CARRIER = (
 )  # width and height of a block, and of one on which others lie, in its own measure
 OF_WHEEL, OF_ALL = 1.45, 0.3  # of the radius of the smallest wheel with a string, of the largest thing
 WHEEL, INNER = 0.5, 0.62  # radius of a wheel of which none is told; of one on the same axle as another
+ROOM = 1.7  # of a block in the radius of what rolls down a wedge, by which that is drawn
 PLATE = 28  # points of the outline of a body of no told form
 
 
@@ -153,6 +155,13 @@ def plain_outline(
     below = [item.pair()[1].owner for item in kinds.contacts if item.lying() == name]
     if sum(other in model.seats for other in below) > 1:
         return (box(PLANK[0] * len(below) * sizes.whole, PLANK[1] * sizes.whole),), True
+    sides = [item.side for item in kinds.contacts if item.side is not None and item.side.bearer() == name]
+    if sides and body.shape is None and not body.parts:
+        from rotsolve.draw.plane.places.sided import sided_outline
+
+        riders = [item.lying() for item in kinds.contacts if item.side in sides]
+        radii = [radius_of(model.body(rider), None, model.value) or 0.0 for rider in riders]
+        return sided_outline(sides, value, max(sizes.block, *(ROOM * radius for radius in radii))), not sides[0].curved
     if any(item.pair()[1].owner == name for item in kinds.contacts):
         return (box(CARRIER[0] * sizes.block, CARRIER[1] * sizes.block),), True
     if is_block(body, holding, [item for item in kinds.strings if item in holding]):

@@ -112,8 +112,10 @@ def lay_round(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     name, size = item.lying(), curve_radius(surface)
     under, body = item.pair()[1].owner, stage.bodies[item.lying()]
     carried = under in stage.bodies
-    spot = stage.model.spot(PointRef(under)) if carried else (0.0, 0.0)
-    centre = stage.place_of(under, spot) if carried else middle_unknown(surface, stage)
+    if carried and item.side is None:
+        centre = stage.place_of(under, stage.model.spot(PointRef(under)))
+    else:
+        centre = stage.origin(under) if carried else middle_unknown(surface, stage)
     if size is None:
         stage.layout.meet(centre, stage.origin(name))
         lead_on(item, name, stage)

@@ -77,7 +77,10 @@ def draw_contact_angle(path: Path, value: Formula, stage: PlaneStage, sheet: Sce
     for item in stage.kinds.contacts:
         if item.name != path.owner:
             continue
-        under = stage.bodies.get(item.pair()[1].owner)
+        if item.side is not None and item.side.bearer() in stage.bodies:
+            under = stage.bodies.get(item.side.bearer())
+        else:
+            under = stage.bodies.get(item.pair()[1].owner)
         middles = [
             stage.middle(where) for surface, where in stage.surfaces.values() if curve_radius(surface) is not None
         ]
