@@ -261,7 +261,7 @@ class Placing(Struct, frozen=True):
         """Nothing here displaces what lies on a round side of a body that moves too."""
         for item in self.configuration.connections(state):
             surface = item.surface(self.configuration, state) if item.carrier(self.configuration) else None
-            if surface is not None and surface.curved:
+            if surface is not None and surface.curved and surface.bearer():
                 message = f"swings of `{item.lying()}` on `{surface.name}`, a round side of a body that moves, are not solved yet"
                 help = "a bob on a light rod that is hinged to the body swings as a particle in a hollow of that radius"
                 raise NotYet(message, help=help)

@@ -12,9 +12,10 @@ from rotsolve.core.facts import FRICTION, REACHES, Couple, Requirement, Rule, en
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.lying import is_level
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.connections.touch import Friction, Touch, is_level
+from rotsolve.elements.connections.touch import Friction, Touch
 from rotsolve.elements.shapes import rim_radius, shape_of, touching_radius
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, SceneElements, Surroundings

@@ -6,9 +6,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rotsolve.core.faults import Unsolvable
+from rotsolve.elements.shapes import rim_radius
 
 if TYPE_CHECKING:
-    from rotsolve.language.bodies import Body
+    from rotsolve.language.bodies import Body, PointRef
     from rotsolve.language.elements import Connection, Surroundings
 
 
@@ -48,3 +49,28 @@ def check_off_post(item: Connection, scene: Surroundings) -> None:
         message = f"`{item.lying()}` on `{post.owner}`, a post: nothing tells how it lies on that"
         help = "a rope runs round a post; what lies on something round lies on a `dome`"
         raise Unsolvable(message, span=post.span, help=help)
+
+
+def check_side_by_side(item: Connection, pressed: bool, round_ones: bool, scene: Surroundings) -> None:
+    """Two that are held rub on each other as wheels do; `round_ones`: whether a contact of the kind may be that of two."""
+    ref, under = item.touches()[:2]
+    if not (pressed or any(rim_radius(scene.bodies[one.owner], None) for one in (ref, under))):
+        message = f"`{ref.owner}`, which a hinge holds, on `{under.owner}` is not solved yet"
+        raise Unsolvable(message, span=ref.span, help="solved is a rod that leans with its side on a corner")
+    for wheel in item.touches():
+        check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
+    if not round_ones:
+        help = f"write `contact: [{ref.owner}, {under.owner}]`"
+        raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
+
+
+def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
+    """A round body on an axle or hinge of its own."""
+    if ref.owner not in scene.held or rim_radius(scene.bodies[ref.owner], ref.point) is None:
+        lacks = "turns on no axle" if ref.owner not in scene.held else "has no radius"
+        raise Unsolvable(message, span=ref.span, help=f"`{ref.owner}` {lacks}")
+
+
+def is_level(name: str, scene: Surroundings) -> bool:
+    """Whether a name is that of a level surface, or of the ground."""
+    return name == "ground" or (name in scene.surfaces and scene.surfaces[name].level)

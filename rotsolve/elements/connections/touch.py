@@ -29,7 +29,7 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.lying import check_from_above, check_led_along, check_off_post
+from rotsolve.elements.connections.lying import check_from_above, check_led_along, check_off_post, check_side_by_side
 from rotsolve.elements.connections.sides import check_carrier, check_side_of, goes_aside, place_on_side, round_rules
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
@@ -104,17 +104,8 @@ class Touch(Connection, frozen=True):
         carrier = scene.bodies.get(under.owner)
         if self.side is not None:
             check_side_of(self, self.side, scene)
-            if isinstance(self.side, Curved):
-                self.check_curved(self.side, scene)
         elif carrier is not None and (ref.owner in scene.held or self.pressed):
-            if not (self.pressed or rim_radius(scene.bodies[ref.owner], None) or rim_radius(carrier, None)):
-                message = f"`{ref.owner}`, which a hinge holds, on `{carrier.name}` is not solved yet"
-                raise Unsolvable(message, span=ref.span, help="solved is a rod that leans with its side on a corner")
-            for wheel in self.pair():
-                check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
-            if not self.side_by_side:
-                help = f"write `contact: [{ref.owner}, {under.owner}]`"
-                raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
+            check_side_by_side(self, self.pressed, self.side_by_side, scene)
         elif carrier is not None:
             from rotsolve.elements.connections.borne import check_on_top
 
@@ -574,21 +565,10 @@ class Touch(Connection, frozen=True):
         carrier = self.carrier(instant.configuration)
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
-            role = LOAD if force.role == NORMAL else force.role
-            own = replace(force, role=role, body=host, direction=back, arm=self.underneath(instant), part=carrier)
-            yield replace(own, noun=noun, way=way, place=place)
-
-
-def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
-    """A round body on an axle or hinge of its own."""
-    if ref.owner not in scene.held or rim_radius(scene.bodies[ref.owner], ref.point) is None:
-        lacks = "turns on no axle" if ref.owner not in scene.held else "has no radius"
-        raise Unsolvable(message, span=ref.span, help=f"`{ref.owner}` {lacks}")
-
-
-def is_level(name: str, scene: Surroundings) -> bool:
-    """Whether a name is that of a level surface, or of the ground."""
-    return name == "ground" or (name in scene.surfaces and scene.surfaces[name].level)
+            back_on = replace(
+                force, role=LOAD if force.role == NORMAL else force.role, body=host, direction=back, part=carrier
+            )
+            yield replace(back_on, arm=self.underneath(instant), noun=noun, way=way, place=place)
 
 
 def supporting(name: str, configuration: Surroundings, state: str) -> Surface | None:
