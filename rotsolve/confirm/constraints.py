@@ -215,12 +215,10 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
         place = pose.place(ref.owner, model.spot(PointRef(ref.owner, ref.point if part_of(body, ref.point) else None)))
     else:
         place = tied_at(ref, pose, model)
+    slip = pose.turn(ref.owner) * radius if radius else Jet(0.0)
     if under.owner in model.seats:
-        cornered = item.side is None and shape_of(model.body(under.owner)).points[:1] == ("corner1",)
-        if cornered or not rests(item, model):
-            raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
-        x, y = pose.place(under.owner, model.seats[under.owner].rigid.centre)
-        place = place[0] - x, place[1] - y
+        (x, y), below = back_of(item, under, pose, model)
+        place, slip = (place[0] - x, place[1] - y), slip + below
     pushing = held(item.name, "normal", along(place, out), pose, push=True)
     if rocks is not None:
         down = math.atan2(-out[1], -out[0]) - pose.turn(ref.owner).value
@@ -228,8 +226,18 @@ def touch(item: Touch, pose: Pose, model: Known) -> Held:
     yield pushing
     if not wheel and rests(item, model):
         yield held(item.name, "torque", pose.turn(ref.owner), pose)
-    slip = along(place, ahead) + (pose.turn(ref.owner) * radius if radius else 0.0)
-    yield from friction(item, slip, pose, model)
+    yield from friction(item, slip + along(place, ahead), pose, model)
+
+
+def back_of(item: Touch, under: PointRef, pose: Pose, model: Known) -> tuple[Pair, Jet]:
+    """Where the body is on which something lies flat, and how far its rim has turned back under that: a roller's goes at R ω besides."""
+    body = model.body(under.owner)
+    radius = radius_of(body, under.point, model.value) if item.side is None else None
+    if radius is not None:
+        return pose.place(under.owner, model.spot(PointRef(under.owner))), pose.turn(under.owner) * radius
+    if not rests(item, model) or (item.side is None and shape_of(body).points[:1] == ("corner1",)):
+        raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
+    return pose.place(under.owner, model.seats[under.owner].rigid.centre), Jet(0.0)
 
 
 def friction(item: Touch, slip: Jet, pose: Pose, model: Known) -> Held:
@@ -248,7 +256,7 @@ def friction(item: Touch, slip: Jet, pose: Pose, model: Known) -> Held:
 
 
 def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
-    """The centre of a body stays on a circle round that of a curved surface, which is taken as the origin."""
+    """The centre of a body stays on a circle round that of a curved surface, which is taken as the origin, or of a round body."""
     size = surface.radius()
     if size is None:
         raise NotConfirmed(f"`{surface.name}` is a track whose form is not known")
@@ -264,6 +272,8 @@ def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
     away = distance(x, y) - circle
     yield held(item.name, "normal", away if outside else -away, pose, hard=True, push=not surface.two_sided)
     slip = pose.turn(ref.owner) * rim + arctangent(y, x) * (-circle if outside else circle)
+    if item.pair()[1].owner in model.seats:  # the rim goes along
+        slip = slip + pose.turn(item.pair()[1].owner) * (model.value(size) if outside else -model.value(size))
     yield from friction(item, slip, pose, model)
 
 

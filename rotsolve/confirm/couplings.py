@@ -17,6 +17,7 @@ from rotsolve.confirm.carried import draping, riding, whirling
 from rotsolve.confirm.constraints import Held, place_of, prescribed
 from rotsolve.confirm.faces import laid, plates
 from rotsolve.confirm.jet import Jet, arctangent, cosine, distance, sine
+from rotsolve.confirm.leaning import leaning_rows
 from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, Row, held, unknown
 from rotsolve.confirm.signs import RIGHT, UP, pointing
@@ -24,6 +25,7 @@ from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
 from rotsolve.elements.connections.flat import Laid
+from rotsolve.elements.connections.leaning import Leans
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.slots import PinSlot
 from rotsolve.elements.connections.springs import Spring, Torsion
@@ -197,4 +199,5 @@ COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
     Drapes: draping,
     Shaft: whirling,
     PinSlot: slotted,
+    Leans: leaning_rows,
 }

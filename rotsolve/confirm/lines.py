@@ -14,7 +14,7 @@ from rotsolve.confirm.jet import Jet, Slope, arctangent, cosine, distance, merge
 from rotsolve.confirm.pose import Pair, Pose, Way, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
-from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of, taken_from_under
+from rotsolve.confirm.signs import RIGHT, UP, carrier_travels, round_way, surface_of, taken_from_under
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
@@ -213,7 +213,7 @@ def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name:
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and surface.radius() is not None:
+            if isinstance(surface, Curved) and surface.radius() is not None and on_known(item, model):
                 return item, surface
     return None
 
@@ -223,9 +223,14 @@ def onward(name: str, pose: Pose, model: Known) -> Way | None:
     found = bent(name, model)
     if found is None:
         return model.line(name)
-    x, y = (part.value for part in pose.place(name, (0.0, 0.0)))
+    x, y = (part.value for part in from_middle(found[0], pose, model))
     size, sign = math.hypot(x, y), round_way(found[1], model.body(name).moves)
     return (-y * sign / size, x * sign / size)
+
+
+def on_known(item: Touch, model: Known) -> bool:
+    """Whether a curved surface is a side of a body, or stands still, or turns on an axle of its own."""
+    return item.side is not None or not carrier_travels(item, model)
 
 
 def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:

@@ -10,6 +10,7 @@ from rotsolve.confirm.pose import Pair, Pose, Way, along
 from rotsolve.confirm.signs import surface_of, taken_aside, travel
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved, Level
+from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
@@ -24,12 +25,14 @@ def on_side(name: str, model: Known) -> Touch | None:
 
 
 def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
-    """Where a body on a curved surface is from the middle of that: the origin, or the centre of mass of the body whose side it is."""
+    """Where a body on a curved surface is from the middle of that: the origin, the centre of mass of the body whose side it is, or the
+    centre of the round body on which it lies."""
     x, y = pose.place(item.lying(), (0.0, 0.0))
-    if item.side is None:
-        return x, y
     under = item.pair()[1].owner
-    u, w = pose.place(under, model.seats[under].rigid.centre)
+    if under not in model.seats:
+        return x, y
+    spot = model.seats[under].rigid.centre if item.side is not None else model.spot(PointRef(under))
+    u, w = pose.place(under, spot)
     return x - u, y - w
 
 

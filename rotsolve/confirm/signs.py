@@ -14,7 +14,8 @@ from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.surfaces import Curved, Level, Slope, Wall
+from rotsolve.elements.shapes import rim_radius, rims
+from rotsolve.elements.surfaces import Curved, Dome, Hollow, Level, Slope, Wall
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Connection
 
@@ -57,18 +58,22 @@ def rests(item: Touch, model: Known) -> bool:
     """Whether a body lies or rolls there, and does not just lean on it with a point."""
     ref = item.pair()[0]
     body = model.body(ref.owner)
-    return (
+    return not item.leaning and (
         ref.point in (None, "bottom", "center", "cm") or on_rim(body, ref.point) or bool(model.rocking(body.name, item))
     )
 
 
 def surface_of(item: Touch, model: Known) -> Surface | None:
     """The surface on which a contact holds a body: of several the curved one where the state speaks of the contact's angle, or that it
-    leaves; the back of another body lies as what that lies on."""
+    leaves; the back of another body lies as what that lies on; of a rod that leans with its side none."""
+    if item.leaning:
+        return None
     under = item.pair()[1]
     if item.side is not None:
         return item.side
     if under.owner in model.acting.bodies:
+        if (bent := rim_under(item, model)) is not None:
+            return bent
         for other in model.acting.connections:
             if isinstance(other, Touch) and other.lying() == under.owner and other is not item:
                 return surface_of(other, model)
@@ -81,6 +86,23 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
             (surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None), None
         )
     return found[0] if found else Level("ground")
+
+
+def rim_under(item: Touch, model: Known) -> Curved | None:
+    """The rim of a round body on which, or in which, a ball or a particle lies; None where nothing round does."""
+    own, under = item.pair()[:2]
+    body, carrier, inside = model.body(own.owner), model.body(under.owner), bool(item.on_inside())
+    if not (is_round(carrier) and (is_round(body) or (body.shape is not None and body.shape.pointlike))):
+        return None
+    inner = [radius for name, radius in rims(carrier).items() if name == "inner" and inside and under.point is None]
+    radius = inner[0] if inner else rim_radius(carrier, under.point)
+    return Hollow(under.owner, radius) if inside else Dome(under.owner, radius)
+
+
+def carrier_travels(item: Touch, model: Known) -> bool:
+    """Whether a contact is with a round body that no fixed axle holds."""
+    under = item.pair()[1].owner
+    return under in model.seats and under not in model.held
 
 
 def grounded(model: Known) -> dict[str, tuple[str, PointRef]]:
@@ -238,6 +260,8 @@ def sense(name: str, model: Known) -> int:
     for item in (*model.acting.connections, *late, *taken_from_under(model)):
         if isinstance(item, Touch) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
+            if isinstance(surface, Curved) and carrier_travels(item, model):
+                continue
             if isinstance(surface, Curved):
                 return round_way(surface, body.moves) * (1 if surface.outside else -1)
             if surface is not None and name not in model.held:

@@ -22,7 +22,7 @@ from rotsolve.core.vectors.heading import (
     unit,
     vector,
 )
-from rotsolve.elements.connections.touch import check_wheel
+from rotsolve.elements.connections.lying import check_wheel
 from rotsolve.elements.shapes import rim_radius, rims
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Action, Fact, Moment, Surroundings

@@ -180,7 +180,7 @@ class Wire(Curved, frozen=True):
 class Dome(Curved, frozen=True):
     word = "dome"
     away = "outward"
-    into = "inward"
+    into = "towards the centre"
     about = "the outside of a round hill"
     dome: Formula | None = amount("radius", "length", "R", "positive", required=True)
     of: str | None = key_of_bearer()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -91,11 +91,20 @@ def where_it_rests(drive: Formula) -> Formula:
 
 def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
     """How fast an angle grows, counterclockwise, when the group's one free rate is 1."""
-    grown = next(rate for body in still.bodies if body.name in group for rate in angle_rates(angle, body))
+    grown = growth_rate(angle, (body for body in still.bodies if body.name in group))
     rates, allowed = groups.freedom(still, group, [grown])
     assert allowed is not None
     free = next(name for name in rates if allowed.get(name) is None)
     return differentiate(grown.substitute(allowed), free)
+
+
+def growth_rate(angle: str, bodies: Iterable[BodyFacts]) -> Formula:
+    """How fast an angle grows, by the rates of the one of some bodies that tells it."""
+    found = next((rate for body in bodies for rate in angle_rates(angle, body)), None)
+    if found is None:
+        message = f"swings of what goes by `{key_of(angle).owner}` round a body that travels are not solved yet"
+        raise NotYet(message, help="ask for the accelerations at a told place")
+    return found
 
 
 def angle_rates(angle: str, body: BodyFacts) -> Iterator[Formula]:
@@ -240,6 +249,8 @@ class Placing(Struct, frozen=True):
         sprung = {name for stored in moments.still.potentials for name in stored.bodies}
         driven = [group for group in groups if group & sprung or any(driven_back(name, near) for name in group)]
         if not driven:
+            for trouble in moments.troubles.values():
+                raise trouble
             raise NotYet("nothing is driven back to an equilibrium here: there are no swings")
         if len(driven) > 1:
             names = ", ".join(spoken(name) for group in driven for name in sorted(group))
@@ -250,7 +261,7 @@ class Placing(Struct, frozen=True):
         """Nothing here displaces what lies on a round side of a body that moves too."""
         for item in self.configuration.connections(state):
             surface = item.surface(self.configuration, state) if item.carrier(self.configuration) else None
-            if surface is not None and surface.curved:
+            if surface is not None and surface.curved and surface.bearer():
                 message = f"swings of `{item.lying()}` on `{surface.name}`, a round side of a body that moves, are not solved yet"
                 help = "a bob on a light rod that is hinged to the body swings as a particle in a hollow of that radius"
                 raise NotYet(message, help=help)

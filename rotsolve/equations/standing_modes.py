@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import Call, Formula
 from rotsolve.core.facts import Facts
 from rotsolve.core.symbols import key_of, of_kinds
 from rotsolve.equations.carriers import carried_accelerations
-from rotsolve.equations.equilibrium import PLACES, STATE_IT, angle_rates
+from rotsolve.equations.equilibrium import PLACES, STATE_IT, growth_rate
 from rotsolve.laws.groups import rates_of
 from rotsolve.laws.modes import FreeWays, generalized_forces, independent_ways
 from rotsolve.motion.instant import Instant
@@ -61,5 +61,5 @@ def in_functions(push: Formula) -> list[str]:
 
 def growth_of_angle(angle: str, still: Facts, ways: FreeWays, way: str) -> Formula:
     """How fast an angle grows, counterclockwise, with one of the ways."""
-    grown = next(rate for body in still.bodies for rate in angle_rates(angle, body))
+    grown = growth_rate(angle, still.bodies)
     return differentiate(grown.substitute(dict(ways.virtual)), way)

@@ -89,7 +89,7 @@ class RootChoice(Struct, frozen=True):
         return chosen(letter, worth, self.scene, self.numbers, period) or self._first_on_hinge(name, roots, period)
 
     def in_front(self, name: str, root: Formula) -> bool:
-        """Whether with a root for its angle a body in balance lies in front of all surfaces that it touches, and not in them."""
+        """Whether with a root for its angle a body in balance lies in front of all surfaces that it touches, and is pushed by them."""
         if not any(state.balance for state in self.scene.configuration.timeline.states):
             return True
         from rotsolve.search.swings import balanced
@@ -99,7 +99,12 @@ class RootChoice(Struct, frozen=True):
             for body, _, facts in balanced(name, self.scene)
             for gap in gaps_to_surfaces((body.name,), facts.state, self.scene)
         )
-        return all(self.numbers.side(gap.substitute({name: root})) != -1 for gap in gaps)
+        if any(self.numbers.side(gap.substitute({name: root})) == -1 for gap in gaps):
+            return False
+        from rotsolve.search.pressing import pushes_of
+
+        pushes = pushes_of(name, self.scene, self.numbers)
+        return all(self.numbers.side(push.substitute({name: root})) != -1 for push in pushes)
 
     def _first_on_hinge(self, name: str, roots: Sequence[Formula], period: Formula | None) -> PickedRoot | None:
         """Of several angles of a body on a hinge in space the one to which it comes first."""

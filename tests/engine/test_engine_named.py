@@ -51,6 +51,26 @@ NODS = (
     "states: {start: {top.tilt: 25 deg, top.axial_rate: 300 rad/s, top.precession: %s, top.nutation: 0 rad/s}, "
     "low: {top.tilt: largest}}\n"
 )
+ROLLERS = (
+    "given: {M: 6 kg, m: 2 kg, R: 10 cm, r: 5 cm, F: 12 N}\nsurfaces: {floor: level}\n"
+    "bodies: {plank: {mass: M, moves: right, shape: rectangle, sides: [1 m, r]}, one: {shape: disc, mass: m, radius: R, moves: right}, "
+    "two: {shape: disc, mass: m, radius: R, moves: right}}\n"
+    "connections: {a: {rolls: [one, floor]}, b: {rolls: [two, floor]}, c: {contact: [plank, one], friction: any}, d: {D, friction: any}}\n"
+    "actions: {pull: {force: F, on: plank, direction: right}}\nstates: {now: {at rest: all}}\nfind: {x: plank.acceleration}\n"
+).replace("{D, ", "{contact: [plank, two], ")
+ALONE = ROLLERS.replace(", d: {contact: [plank, two], friction: any}", "")
+EDGED = (
+    "given: {M: 2 kg, L: 1 m, d: 20 cm, h: 80 cm, w: 2 rad/s}\nsurfaces: {edge: {corner: h, side: left}}\n"
+    "bodies: {rod: {shape: rod, mass: M, length: L, turns: clockwise}}\n"
+    "connections: {touch: {contact: [rod.at(L/2 - d), edge], friction: any}}\n"
+    "states: {now: {rod.angle: 0, at rest: all}, later: {rod.angle: -40 deg}}\nfind: {x: rod.angular_velocity at later}\n"
+)
+IN_HOOP = (
+    "given: {M: 2 kg, m: 1 kg, R: 30 cm}\nsurfaces: {floor: level}\n"
+    "bodies: {hoop: {shape: ring, mass: M, radius: R, moves: right}, bead: {shape: particle, mass: m}}\n"
+    "connections: {base: {rolls: [hoop, floor]}, touch: {contact: [bead, hoop], inside: true}}\n"
+    "states: {now: {touch.angle: -60 deg, at rest: all}}\nfind: {x: hoop.acceleration}\n"
+)
 BLOW = "states: {before: {at rest: all}, after: {}}\n"
 SPIN = "states: {now: {wheel.angular_velocity: 1 rad/s}}\nfind: {x: wheel.angular_acceleration at now}\n"
 
@@ -552,6 +572,20 @@ CASES = {  # a scene that is refused, and the same said in another way that is a
         "surfaces: {bowl: {hollow: L}}\nbodies: {half: {shape: sphere, mass: M, radius: R}}\n"
         f"connections: {{base: {{rolls: [half, bowl]}}}}\n{SWING}",
     ),
+    "which is on top": (ALONE.replace("[plank, one]", "[one, plank]"), ALONE),
+    "rollers of two sizes": (
+        ROLLERS.replace("two: {shape: disc, mass: m, radius: R", "two: {shape: disc, mass: m, radius: r"),
+        ROLLERS,
+    ),
+    "a plank on a roller and on the floor": (ROLLERS.replace("[plank, two], friction: any", "[plank, floor]"), ROLLERS),
+    "a mass on a roller": (ALONE.replace(", shape: rectangle, sides: [1 m, r]", ""), ALONE),
+    "in a hoop or on it": (IN_HOOP.replace(", inside: true", ""), IN_HOOP),
+    "a rod slips on over an edge": (
+        EDGED.replace("any", "0.1").replace("angle: 0", "angle: -30 deg"),
+        EDGED.replace("-40 deg", "-10 deg").replace("any", "0.9"),
+    ),
+    "a rod slides over an edge": (EDGED.replace(", friction: any", ""), EDGED),
+    "swings in a hoop that rolls": (IN_HOOP.replace("x: hoop.acceleration", "x: period of small swings"), IN_HOOP),
     "beyond the round side": (f"{ROCKS}{REST.replace('at rest: all', 'half.angle: 20 deg, at rest: all')}{ALPHA}", ""),
     "a round side that ends on the way": (
         f"{ROCKS}states: {{now: {{half.angle: -30 deg, half.angular_velocity: 3*w}}, end: {{half.rotation: 170 deg}}}}\n"

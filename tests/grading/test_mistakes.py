@@ -113,6 +113,14 @@ OWN_IN_SPACE = {
     """,
 }
 OWN |= OWN_IN_SPACE
+OWN["ball-on-a-drum"] = """
+    title: Ball on a drum that is free to turn
+    given: {M: 4 kg, R: 30 cm, m: 1 kg, r: 5 cm, phi: 60 deg}
+    bodies: {drum: {shape: cylinder, mass: M, radius: R}, ball: {shape: sphere, mass: m, radius: r, moves: right}}
+    connections: {axle: {axle: drum}, touch: {rolls: [ball, drum]}}
+    states: {now: {touch.angle: phi, at rest: all}}
+    find: {a: ball.acceleration}
+"""
 
 PAPER = (Path(__file__).parent / "mistakes.txt").read_text(encoding="utf-8").splitlines()
 ROWS = [tuple(cell.strip() for cell in line.split("|")) for line in PAPER if line and not line.startswith("#")]

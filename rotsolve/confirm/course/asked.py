@@ -17,6 +17,7 @@ from rotsolve.confirm.course.reading import Reckoned, number, of_body, vector
 from rotsolve.confirm.numbers import options_that_hold, value_of
 from rotsolve.confirm.rows import EDGE
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
+from rotsolve.core.symbols import PLACES
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import ANY_TIME, Condition, Find, Path, Problem, Term
 
@@ -106,6 +107,10 @@ class Asker:
         """A letter that is asked for has the answer's number, which is right where all lines of all states hold with it."""
         name = find.formula.name if isinstance(find.formula, Symbol) else ""
         self.course.settle(name)
+        from rotsolve.confirm.course.sought import stands_at
+
+        for state in self.problem.states if stands_at(self.problem, name) else ():
+            check_pushed(self.course.node(state.name))
         return number(float(self.course.letters[name]))
 
     # one term
@@ -173,6 +178,8 @@ class Asker:
 
                 words = letting_go(*letting[0])
                 raise Astray(f"{words} at `{state}`" if state else words)
+        if term.path.quantity in PLACES:
+            check_pushed(at)
         return reading(at, term.path, term)
 
     def over(self, term: Term) -> Reckoned:
@@ -266,3 +273,10 @@ def reading(at: Node, path: Path, term: Term | None = None) -> Reckoned:
 
 
 __all__ = ["Asker", "Condition", "reading"]
+
+
+def check_pushed(at: Node) -> None:
+    """Astray where something that only pushes or pulls would have to do the opposite at a place in balance."""
+    state = at.model.acting.state
+    for owner in at.moment.unheld if state.balance else ():
+        raise Astray(f"`{owner}` lets go at `{state.name}`: there is no balance")

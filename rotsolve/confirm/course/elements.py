@@ -118,7 +118,8 @@ def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Its size, and which way it points on the body that the contact names first."""
     if isinstance(item := element(at, path.owner), Rides):
         return number(math.hypot(*on_body(at, item.rides[0].owner, loads(at, path.owner))[0]))
-    at.told(path.owner, "friction", "normal")
+    sticks = (path.owner, "friction") in at.moment.reactions  # what slips is told by its push
+    at.told(path.owner, *(("friction",) if sticks else ("friction", "normal")))
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
     normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
     found = number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0, sized=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
+from typing import Any
 
 from msgspec.structs import replace
 
@@ -11,19 +12,26 @@ from rotsolve.core.facts import FRICTION, REACHES, Couple, Requirement, Rule, en
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.lying import is_level
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.connections.touch import Friction, Touch, is_level
+from rotsolve.elements.connections.touch import Friction, Touch
 from rotsolve.elements.shapes import rim_radius, shape_of, touching_radius
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, SceneElements, Surroundings
 from rotsolve.language.keys import amount, key
 
 
+def inner_side() -> Any:
+    """The key of the side of a round body on which something lies."""
+    words = "of what lies on a round body: whether it is inside that, as in a drum, and not on it"
+    return key("flag", words, default=None, plane=True)
+
+
 class Contact(Touch, frozen=True):
     word = "contact"
     side_by_side = True
-    about = "a body lies on, slides along or rolls on a surface or on a body that travels; or a wheel rubs on another, both on fixed axles"
+    about = "a body lies on, slides along, leans on or rolls on a surface or another body; or a wheel rubs on another, both on fixed axles"
     contact: tuple[PointRef, ...] = key(
         "points", "[body, surface, …]", count=(2, 10), required=True, example="[block, ramp]"
     )
@@ -38,6 +46,8 @@ class Contact(Touch, frozen=True):
         "force that presses two wheels together at their rims", "force", "F", "positive", default=None, plane=True
     )
 
+    inside: bool | None = inner_side()
+
     spatial = True
     quantities = (*Touch.quantities, "freedoms")
 
@@ -50,6 +60,9 @@ class Contact(Touch, frozen=True):
 
     def grip(self) -> Friction:
         return self.friction
+
+    def on_inside(self) -> bool | None:
+        return self.inside
 
     @property
     def pressed(self) -> bool:
@@ -65,6 +78,12 @@ class Contact(Touch, frozen=True):
     def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
         """From above what lies on a level table rubs over its whole face, and a particle on what turns goes round with it."""
         own, under = self.contact[0].owner, self.contact[1].owner
+        if any(body.name == own and shape_of(body).slender for body in scene.bodies) and under not in level:
+            from rotsolve.elements.connections.leaning import leaning
+
+            leans = leaning(self, self.friction, scene) if self.press is None else None
+            if leans is not None:
+                return leans
         if scene.plane != "horizontal" or self.friction.kind == "none" or len(self.contact) > 2:
             return super().seen(scene, level)
         bodies = {body.name: body for body in scene.bodies}
@@ -80,7 +99,7 @@ class Contact(Touch, frozen=True):
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """Between two wheels on fixed axles it is their rims that rub."""
-        if self.contact[1].owner not in held:
+        if self.contact[1].owner not in held or (self.contact[0].owner not in held and self.press is None):
             return self
         if len(self.contact) > 2:
             message = f"two wheels rub on each other in a contact, and `{self.name}` names {len(self.contact)} bodies"
@@ -90,7 +109,7 @@ class Contact(Touch, frozen=True):
 
 class Rolls(Touch, frozen=True):
     word = "rolls"
-    about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on a body that travels"
+    about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on another body"
     rolls: tuple[PointRef, ...] = key(
         "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
     )
@@ -102,8 +121,12 @@ class Rolls(Touch, frozen=True):
         default=None,
         plane=True,
     )
+    inside: bool | None = inner_side()
 
     spatial = True
+
+    def on_inside(self) -> bool | None:
+        return self.inside
 
     def brakes(self) -> tuple[PointRef, ...]:
         return self.rolls[:1] if self.rolling_friction is not None else ()

@@ -26,7 +26,7 @@ from rotsolve.core.facts import (
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, LEFT, NOWHERE, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.touch import is_level
+from rotsolve.elements.connections.lying import is_level
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.elements.shapes.thin import Rope
 from rotsolve.language.bodies import Body, PointRef

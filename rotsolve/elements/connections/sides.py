@@ -12,10 +12,10 @@ from rotsolve.core.facts import Rule, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, TURNS, UP, Heading, Vector, heading, unit
 from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef, Surface
 
 if TYPE_CHECKING:
-    from rotsolve.elements.surfaces import Curved
     from rotsolve.language.bodies import Body
     from rotsolve.language.elements import Moment, PlaceOf, Surroundings
 
@@ -32,6 +32,7 @@ class Laying(Protocol):
     def carrier(self, configuration: Surroundings) -> str: ...
     def rests(self, body: Body) -> bool: ...
     def forward(self, instant: Moment) -> Heading: ...
+    def check_curved(self, surface: Curved, scene: Surroundings) -> None: ...
     def ground(self, instant: Moment) -> tuple[Vector, Vector]: ...
     def touching_angle(self, instant: Moment) -> Formula: ...
 
@@ -67,7 +68,7 @@ def round_rules(item: Laying, stays: Rule, side: Curved, instant: Moment) -> Ite
     yield replace(stays, velocity=right, acceleration=bends, bent=told)
 
 
-def place_round(item: Laying, side: Curved, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
+def place_on_side(item: Laying, side: Curved, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
     """How far along a direction what goes round on a side of a body is, from where that is: ρ cos(φ − direction)."""
     base, circle = place_of(PointRef(item.pair()[1].owner, "cm")), circle_on(item, side, instant)
     if base is None or circle is None:
@@ -122,6 +123,8 @@ def check_side_of(item: Laying, side: Surface, scene: Surroundings) -> None:
     if not (item.rests(body) and (shape_of(body).pointlike or rim_radius(body, ref.point) is not None)):
         message = f"`{ref.owner}` on `{side.name}`, a side of `{bearer.name}`, is not solved yet"
         raise Unsolvable(message, span=ref.span, help="solved are particles, blocks without a shape, and round bodies")
+    if isinstance(side, Curved):
+        item.check_curved(side, scene)
     tracked = (one for at in states for one in scene.connections(at) if one.lying() == body.name)
     if any(one.track(body, scene, states[0]) is not None for one in tracked):
         return

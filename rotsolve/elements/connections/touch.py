@@ -29,7 +29,8 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.sides import check_carrier, check_side_of, goes_aside, place_round, round_rules
+from rotsolve.elements.connections.lying import check_from_above, check_led_along, check_off_post, check_side_by_side
+from rotsolve.elements.connections.sides import check_carrier, check_side_of, goes_aside, place_on_side, round_rules
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
@@ -59,6 +60,7 @@ class Touch(Connection, frozen=True):
     )  # fmt: skip
     words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
     lays_first: ClassVar[bool] = True
+    leaning: ClassVar[bool] = False  # whether a rod leans there with its side, which alone tells which way it is pushed
     side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
     side: Surface | None = None  # the surface that the scene declares `of` the body named last: a side of that
@@ -99,22 +101,20 @@ class Touch(Connection, frozen=True):
     def check(self, scene: Surroundings) -> None:
         """A body on a surface or on a body that travels, or two wheels side by side."""
         ref, under = self.pair()[:2]
+        carrier = scene.bodies.get(under.owner)
         if self.side is not None:
             check_side_of(self, self.side, scene)
-            if isinstance(self.side, Curved):
-                self.check_curved(self.side, scene)
-        elif under.owner in scene.bodies and (ref.owner in scene.held or under.owner in scene.held or self.pressed):
-            for wheel in self.pair():
-                check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
-            if not self.side_by_side:
-                help = f"write `contact: [{ref.owner}, {under.owner}]`"
-                raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
-        elif under.owner in scene.bodies:
-            check_carrier(self, scene)
+        elif carrier is not None and (ref.owner in scene.held or self.pressed):
+            check_side_by_side(self, self.pressed, self.side_by_side, scene)
+        elif carrier is not None:
+            from rotsolve.elements.connections.borne import check_on_top
+
+            if not check_on_top(self, scene):
+                check_carrier(self, scene)
         self.check_side(scene)
-        self.check_seen(scene)
+        check_from_above(self, scene)
         self.check_places(scene)
-        self.check_way(scene)
+        check_led_along(self, self.rests, scene)
 
     def check_side(self, scene: Surroundings) -> None:
         """What touches is a rim, a point that is named, or a body with corners: what is bent otherwise would rock."""
@@ -126,31 +126,6 @@ class Touch(Connection, frozen=True):
             message = f"on which side `{body.name}` touches `{self.pair()[1].owner}` nothing tells: it is neither round nor has corners"
             raise Unsolvable(message, span=ref.span, help="such bodies, which rock, are not solved yet")
 
-    def check_seen(self, scene: Surroundings) -> None:
-        """Seen from above nothing presses on a level surface, which lies below the whole picture: friction on it is none of its edge."""
-        under = self.pair()[1]
-        below = scene.problem.plane == "horizontal" and isinstance(scene.surfaces.get(under.owner), Level)
-        if below and self.grip().kind != "none":
-            message = f"friction on `{under.owner}`, which lies below a scene that is seen from above, is not solved"
-            help = "leave out `plane: horizontal` where it slides along a line; a torque of friction may be told as a `couple`"
-            raise Unsolvable(message, span=under.span, help=help)
-
-    def check_way(self, scene: Surroundings) -> None:
-        """What lies on a surface all the time, and on nothing else, moves along it."""
-        ref, body = self.pair()[0], scene.bodies.get(self.lying())
-        states = scene.throughout(self.name)
-        if any(item.lying() == self.lying() and item is not self for item in scene.problem.connections):
-            return
-        if body is None or body.moves is None or not self.rests(body) or not states:
-            return
-        surface = self.surface(scene, states[0])
-        if surface is None or body.moves in surface.ways():
-            return
-        words = " or ".join(surface.ways())
-        message = f"`{body.name}` lies on `{surface.name}`, along which it can not move {body.moves}"
-        help = f"it moves {words} there; what is lifted off lies on nothing: leave `{self.name}` out"
-        raise Unsolvable(message, span=ref.span, help=help)
-
     @property
     def pressed(self) -> bool:
         """Whether a force of its own presses it together."""
@@ -159,14 +134,7 @@ class Touch(Connection, frozen=True):
     def check_places(self, scene: Surroundings) -> None:
         """Of surfaces that join, a track of unknown profile leads into a curved one; a curved one takes what fits it."""
         places = [scene.surfaces[ref.owner] for ref in self.places() if ref.owner in scene.surfaces]
-        post = next(
-            (ref for ref in self.places() if ref.owner in scene.surfaces and scene.surfaces[ref.owner].post), None
-        )
-        if post is not None:
-            message = f"`{self.lying()}` on `{post.owner}`, a post: nothing tells how it lies on that"
-            raise Unsolvable(
-                message, span=post.span, help="a rope runs round a post; what lies on something round lies on a `dome`"
-            )
+        check_off_post(self, scene)
         unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
         curved = all(place.curved for place in places)
         carrier = next((ref for ref in self.places() if ref.owner in scene.bodies), None)
@@ -243,6 +211,10 @@ class Touch(Connection, frozen=True):
         yield from self.grip().rooms(self.name)
         ref, body = self.pair()[0], scene.bodies.get(self.lying())
         rim = rim_radius(body, ref.point) if body is not None else None
+        if self.pair()[1].owner in scene.bodies:
+            from rotsolve.elements.connections.borne import room_at_rim
+
+            yield from room_at_rim(self, rim or ZERO, scene)
         surfaces = [scene.surfaces[place.owner] for place in self.places() if place.owner in scene.surfaces]
         surfaces += [self.side] if self.side is not None else []
         for surface in surfaces if rim is not None else ():
@@ -274,6 +246,10 @@ class Touch(Connection, frozen=True):
         if self.side is not None:
             return self.side
         if carrier:
+            from rotsolve.elements.connections.borne import rim_gone_round
+
+            if (rim := rim_gone_round(self, configuration.bodies)) is not None:
+                return rim
             below = supporting(carrier, configuration, state)
             return replace(below, name=carrier) if below is not None else Level(carrier)
         found = [surface for ref in self.places() if (surface := configuration.surfaces.get(ref.owner)) is not None]
@@ -299,13 +275,23 @@ class Touch(Connection, frozen=True):
     def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
         surface = self.surface(configuration, state)
-        if not isinstance(surface, Curved) or not self.rests(body) or self.side is not None:
+        aside = self.side is not None or self.travels(configuration, state)
+        if not isinstance(surface, Curved) or not self.rests(body) or aside:
             return None
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
         way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
         turn = "forward along" if radius is None else "counterclockwise round" if way > 0 else "clockwise round"
         hollow = not (surface.outside or surface.two_sided)
         return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}", hollow)
+
+    def travels(self, configuration: Surroundings, state: str) -> bool:
+        """Whether a round body on which something lies travels, and does not only turn on a fixed axle."""
+        carrier = self.carrier(configuration)
+        return bool(carrier) and configuration.pivot(configuration.host(carrier, state), state) is None
+
+    def on_inside(self) -> bool | None:
+        """Whether it lies inside a round body; None where nothing tells."""
+        return None
 
     def touching_angle(self, instant: Moment) -> Formula:
         """For a wheel on the floor the place of a corner settles it."""
@@ -368,7 +354,14 @@ class Touch(Connection, frozen=True):
             body = instant.body(ref.owner)
             point = arm if touching_radius(body, ref.point) is None else instant.hub(ref)
             stays = self.no_slip(label, point, facing, instant, linear=self.keeps_flat(instant))
-            yield from (stays,) if not isinstance(self.side, Curved) else round_rules(self, stays, self.side, instant)
+            if isinstance(self.side, Curved):
+                yield from round_rules(self, stays, self.side, instant)
+            elif isinstance(surface, Curved):
+                from rotsolve.elements.connections.borne import round_a_centre
+
+                yield round_a_centre(stays, self, surface, instant)
+            else:
+                yield stays
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
     def keeps_flat(self, instant: Moment) -> bool:
@@ -445,6 +438,12 @@ class Touch(Connection, frozen=True):
         ahead = self.course(instant) or self.slides_down(instant)
         return ahead or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
+    def ways_along(self, instant: Moment, name: str) -> tuple[str, str]:
+        """Words for the way along the surface that counts as positive, and for the other way."""
+        if self.side is not None and self.slides_down(instant) is not None:
+            return self.side.travel("down")[1], self.side.travel("up")[1]
+        return travel_words(self.forward(instant), self.course(instant), instant, name)
+
     def rubs(self) -> bool:
         return self.grip().kind == "coefficient"
 
@@ -486,12 +485,16 @@ class Touch(Connection, frozen=True):
         return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
-        """Across a flat surface, of the body that touches it; on the back of another body, from where that is."""
+        """Across a flat surface, of the body that touches it; on another body, from where that is."""
         surface = self.surface(instant.configuration, instant.state)
-        if isinstance(self.side, Curved) and instant.host(self.lying()) == name:
-            return place_round(self, self.side, way, instant, place_of)
-        if surface is None or isinstance(surface, Curved) or instant.host(self.lying()) != name:
+        if surface is None or instant.host(self.lying()) != name:
             return None
+        if isinstance(self.side, Curved):
+            return place_on_side(self, self.side, way, instant, place_of)
+        if isinstance(surface, Curved):
+            from rotsolve.elements.connections.borne import place_round
+
+            return place_round(self, surface, way, instant, place_of)
         if (surface.normal - way).sin() != ZERO:
             return None
         carrier = self.carrier(instant.configuration)
@@ -499,19 +502,31 @@ class Touch(Connection, frozen=True):
         return None if base is None else base - self.touching_arm(instant).along(way)
 
     def ground(self, instant: Moment) -> tuple[Vector, Vector]:
-        """Velocity and acceleration of what it lies on."""
+        """Velocity and acceleration of what it lies on, where they touch."""
         carrier = self.carrier(instant.configuration)
         if not carrier:
             return NOWHERE, NOWHERE
-        motion = instant.motion(carrier)
-        return motion.velocity, motion.acceleration
+        motion, arm = instant.motion(carrier), self.underneath(instant)
+        return motion.velocity_of(arm), motion.acceleration_of(arm)
+
+    def underneath(self, instant: Moment) -> Vector:
+        """From the reference of the body that carries it to where they touch: on the rim of a roller, else on a back that does not turn."""
+        surface, under = self.surface(instant.configuration, instant.state), self.places()[0]
+        if surface is None or self.side is not None:
+            return NOWHERE
+        facing = self.normal(surface, instant)
+        if isinstance(surface, Curved):
+            from rotsolve.elements.connections.borne import arm_of_rim
+
+            return arm_of_rim(under, surface, facing, instant)
+        return contact_arm(under, facing.turned(180), instant)
 
     def grip_rule(self, instant: Moment) -> Rule | None:
         """No slip at this moment, for a state that says `rolls` or `sticks`."""
         ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         if surface is None:
             return None
-        name, arm = instant.host(ref.owner), contact_arm(ref, self.normal(surface, instant), instant)
+        name, arm = instant.host(ref.owner), self.touching_arm(instant)
         label = f"{spoken(name)} no longer slips"
         return self.no_slip(label, arm, self.forward(instant), instant, linear=False)
 
@@ -540,9 +555,7 @@ class Touch(Connection, frozen=True):
         if grip.kind == "none":
             return
         forward = self.forward(instant)
-        ahead, back = travel_words(forward, self.course(instant), instant, name)
-        if self.side is not None and self.slides_down(instant) is not None:
-            ahead, back = (self.side.travel(word)[1] for word in ("down", "up"))
+        ahead, back = self.ways_along(instant, name)
         span = instant.span(name)
         if mode.startswith("slips"):
             backward = mode.startswith("slips back")
@@ -570,22 +583,10 @@ class Touch(Connection, frozen=True):
         carrier = self.carrier(instant.configuration)
         if carrier:
             host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
-            role = LOAD if force.role == NORMAL else force.role
-            yield replace(
-                force, role=role, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place, part=carrier
+            back_on = replace(
+                force, role=LOAD if force.role == NORMAL else force.role, body=host, direction=back, part=carrier
             )
-
-
-def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
-    """A round body on an axle or hinge of its own."""
-    if ref.owner not in scene.held or rim_radius(scene.bodies[ref.owner], ref.point) is None:
-        lacks = "turns on no axle" if ref.owner not in scene.held else "has no radius"
-        raise Unsolvable(message, span=ref.span, help=f"`{ref.owner}` {lacks}")
-
-
-def is_level(name: str, scene: Surroundings) -> bool:
-    """Whether a name is that of a level surface, or of the ground."""
-    return name == "ground" or (name in scene.surfaces and scene.surfaces[name].level)
+            yield replace(back_on, arm=self.underneath(instant), noun=noun, way=way, place=place)
 
 
 def supporting(name: str, configuration: Surroundings, state: str) -> Surface | None:

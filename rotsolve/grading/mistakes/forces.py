@@ -290,6 +290,36 @@ def speed_letters(body: BodyFacts) -> Iterator[Formula]:
         yield from (Symbol(name) for rate in rates for name in rate.symbols())
 
 
+def rim_as_centre(scene: Scene) -> Made:
+    """v for v + ω R of the rims of rollers or drums on which something lies."""
+    lying = [item for item in scene.problem.connections if item.lying() and not scene.problem.space]
+    carried = [(item.name, item.carrier(scene.configuration)) for item in lying]
+    turning = {body.name: body.motion for facts in scene.moments for body in facts.bodies if body.motion.turns}
+    for names, who in each_and_all(name for _, name in carried if name in turning):
+        owners = {owner for owner, name in carried if name in names}
+        altered = Alteration(facts=with_still_rims(owners, names))
+        yield f"the rim of {who} was taken to be as fast as the centre", Change(altered=altered, aside=(ENERGY,))
+
+
+def with_still_rims(owners: Collection[str], names: Collection[str]) -> Callable[[Facts], Facts]:
+    """Facts in which the rules of some elements leave out how bodies turn, on their right."""
+
+    def changed(facts: Facts) -> Facts:
+        motions = [body.motion for body in facts.bodies if body.name in names]
+        rates = [letter for own in motions for part in (own.spin, own.spin_rate) for letter in part.symbols()]
+        return replace(facts, rules=tuple(still(rule, dict.fromkeys(rates, ZERO)) for rule in facts.rules))
+
+    def still(rule: Rule, put: Mapping[str, Formula]) -> Rule:
+        if rule.owner not in owners:
+            return rule
+        velocity, bent = (
+            (sides[0], sides[1].substitute(put)) for sides in (rule.velocity, rule.acceleration or rule.velocity)
+        )
+        return replace(rule, velocity=velocity, acceleration=bent if rule.acceleration is not None else None)
+
+    return changed
+
+
 def carrier_at_rest(scene: Scene) -> Made:
     """v · n = 0 and a · n = 0 of what lies on a side of a body, as if that body did not move."""
     configuration, state = scene.configuration, scene.configuration.timeline.states[0].name

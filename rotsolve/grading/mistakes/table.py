@@ -99,6 +99,11 @@ MISTAKES = [
         ("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
         ("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
         ("centre at rest", "α r is left out of Newton's second law for the forces of a hinge", forces.centre_at_rest),
+        (
+            "rim as fast as the centre",
+            "the velocity of the centre of a roller or a drum is put for that of its rim, on which something lies",
+            forces.rim_as_centre,
+        ),
         ("start from rest", "a velocity at the start is left out", misread.from_rest),
         ("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.letters_exchanged),
         ("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),

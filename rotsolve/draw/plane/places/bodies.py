@@ -17,6 +17,7 @@ from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body
 from rotsolve.language.elements import Connection
 
+PLANK = 1.5, 0.12  # of what lies on several bodies: width for each of them, and height, in the largest size
 BLOCK, CARRIER = (
     (1.0, 0.78),
     (3.6, 0.42),
@@ -151,6 +152,9 @@ def plain_outline(
         return (disc(radius),), False
     if name in model.held:
         return (plate(body, value, sizes),), False
+    below = [item.pair()[1].owner for item in kinds.contacts if item.lying() == name]
+    if sum(other in model.seats for other in below) > 1:
+        return (box(PLANK[0] * len(below) * sizes.whole, PLANK[1] * sizes.whole),), True
     sides = [item.side for item in kinds.contacts if item.side is not None and item.side.bearer() == name]
     if sides and body.shape is None and not body.parts:
         from rotsolve.draw.plane.places.sided import sided_outline

@@ -20,6 +20,10 @@ AHEAD, BELOW = (
     2.0,
     1.3,
 )  # of what a body will touch: how far an edge is on its way, how low a level is, in its half size
+SPREAD, APART = (
+    1.2,
+    1.3,
+)  # of rollers under a plank: how far the outer ones are apart, in its half length, and at least, in their radii
 ONWARD, LOWER = 2.6, 0.6  # of a loop from where a track begins, in its radius
 
 
@@ -27,7 +31,11 @@ def lay(item: Touch, stage: PlaneStage) -> None:
     """A body on what it touches."""
     ref, under = item.pair()[:2]
     surface = surface_of(item, stage.model)
-    if under.owner in stage.bodies and (ref.owner in stage.model.held or under.owner in stage.model.held):
+    if item.leaning:
+        from rotsolve.draw.plane.places.leaned import lay_leaned
+
+        lay_leaned(item, stage)
+    elif under.owner in stage.bodies and ref.owner in stage.model.held:
         stage.wheels.append((ref, under))
     elif surface is not None and surface.curved:
         lay_round(item, surface, stage)
@@ -47,9 +55,19 @@ def lay_flat(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     if under.owner in stage.bodies:
         back, gap = stage.bodies[under.owner].reach(out), gap_between_places(stage.origin(under.owner), low)
         stage.layout.equal(part_along(gap, out), back + down)
-        stage.layout.equal(part_along(gap, turned(out)), 0.0, FAINT)
+        stage.layout.equal(part_along(gap, turned(out)), beside_others(item, out, stage), FAINT)
         return
     stage.layout.equal(part_along(low, out).plus(level_of(surface, stage), -1.0), down)
+
+
+def beside_others(item: Touch, out: Point, stage: PlaneStage) -> float:
+    """How far from the middle of what lies on several bodies one of them is: rollers stand apart, from left to right as they are named."""
+    ref, under = item.pair()[:2]
+    below = [other.pair()[1].owner for other in stage.kinds.contacts if other.lying() == ref.owner]
+    ahead = turned(out, -1)
+    wide = 2 * APART * stage.bodies[under.owner].reach(ahead)
+    step = max(SPREAD * stage.bodies[ref.owner].reach(ahead) / max(len(below) - 1, 1), wide)
+    return (below.index(under.owner) - (len(below) - 1) / 2) * step
 
 
 def set_on_its_bow(item: Touch, out: Point, stage: PlaneStage) -> None:
@@ -91,9 +109,13 @@ def rolling_rim(item: Touch, stage: PlaneStage) -> tuple[float, Point] | None:
 
 def lay_round(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     """On a curved surface at the angle that the assembly tells; where its form is not known, at its beginning."""
-    name, size, under = item.lying(), curve_radius(surface), item.pair()[1].owner
-    centre = stage.origin(under) if item.side is not None else middle_unknown(surface, stage)
-    body = stage.bodies[name]
+    name, size = item.lying(), curve_radius(surface)
+    under, body = item.pair()[1].owner, stage.bodies[item.lying()]
+    carried = under in stage.bodies
+    if carried and item.side is None:
+        centre = stage.place_of(under, stage.model.spot(PointRef(under)))
+    else:
+        centre = stage.origin(under) if carried else middle_unknown(surface, stage)
     if size is None:
         stage.layout.meet(centre, stage.origin(name))
         lead_on(item, name, stage)
@@ -101,7 +123,7 @@ def lay_round(item: Touch, surface: Surface, stage: PlaneStage) -> None:
     rim = rolling_rim(item, stage)
     radius = rim[0] if rim is not None else body.reach((0.0, -1.0)) if body.block else 0.0
     x, y = stage.drawn_at(name)
-    u, w = stage.drawn_at(under) if item.side is not None else (0.0, 0.0)
+    u, w = stage.drawn_at(under) if carried else (0.0, 0.0)
     angle = math.atan2(y - w, x - u)
     outside = normal_sign(surface)
     circle = stage.value(size) + outside * radius

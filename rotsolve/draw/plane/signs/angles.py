@@ -78,14 +78,13 @@ def draw_contact_angle(path: Path, value: Formula, stage: PlaneStage, sheet: Sce
         if item.name != path.owner:
             continue
         if item.side is not None and item.side.bearer() in stage.bodies:
-            places = (stage.bodies[name].place for name in (item.side.bearer(), item.lying()))
-            centre, body = (sheet.at(place) for place in places)
+            under = stage.bodies.get(item.side.bearer())
+        else:
+            under = stage.bodies.get(item.pair()[1].owner)
+        middles = [
+            stage.middle(where) for surface, where in stage.surfaces.values() if curve_radius(surface) is not None
+        ]
+        for middle in middles if under is None else [under.place]:
+            centre, body = sheet.at(middle), sheet.at(stage.bodies[item.lying()].place)
             sheet.figure.line([centre, body], AXIS)
             draw_angle(value, centre, ARC + 6.0, stage, sheet)
-            continue
-        for surface, where in stage.surfaces.values():
-            if curve_radius(surface) is not None:
-                x, y = (part.at(stage.found) for part in where)
-                centre, body = sheet.at((x, y)), sheet.at(stage.bodies[item.lying()].place)
-                sheet.figure.line([centre, body], AXIS)
-                draw_angle(value, centre, ARC + 6.0, stage, sheet)
