@@ -51,6 +51,23 @@ def check_off_post(item: Connection, scene: Surroundings) -> None:
         raise Unsolvable(message, span=post.span, help=help)
 
 
+def check_on_one_track(item: Connection, scene: Surroundings) -> None:
+    """What is on a track of unknown profile lies on nothing else in the same phase: of two nothing tells which it is on."""
+    timeline = [state.name for state in scene.problem.states] or [""]
+    for state in timeline[:-1] or timeline:
+        here = scene.connections(state)
+        other = next((one for one in here if one is not item and one.lying() == item.lying()), None)
+        if other is None or not any(one.name == item.name for one in here):
+            continue
+        mine, its = (one.touches()[1] for one in (item, other))
+        at = f" from `{state}` on" if state else ""
+        message = (
+            f"`{item.lying()}` is on `{mine.owner}` and on `{its.owner}` at once{at}: nothing tells which it is on"
+        )
+        help = f"say it of each phase: `phases: {{down: {{from: …, to: …, without: {other.name}}}, …}}`"
+        raise Unsolvable(message, span=mine.span, help=help)
+
+
 def check_side_by_side(item: Connection, pressed: bool, round_ones: bool, scene: Surroundings) -> None:
     """Two that are held rub on each other as wheels do; `round_ones`: whether a contact of the kind may be that of two."""
     ref, under = item.touches()[:2]

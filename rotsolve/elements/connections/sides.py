@@ -128,14 +128,14 @@ def check_side_of(item: Laying, side: Surface, scene: Surroundings) -> None:
     tracked = (one for at in states for one in scene.connections(at) if one.lying() == body.name)
     if any(one.track(body, scene, states[0]) is not None for one in tracked):
         return
-    check_alone(ref, side, scene)
+    check_untied(ref, side, scene)
     if body.moves is not None:
         message = f"`{ref.owner}` goes with `{bearer.name}` as well as along `{side.name}`, not just {body.moves}"
         help = "leave `moves` out: its velocity has the components `velocity.x` and `velocity.y`"
         raise Unsolvable(message, span=body.span, help=help)
 
 
-def check_alone(ref: PointRef, side: Surface, scene: Surroundings) -> None:
+def check_untied(ref: PointRef, side: Surface, scene: Surroundings) -> None:
     """Nothing ties what goes along a side as well as with its body to anything else: which way a string runs there is not told."""
     for other in scene.problem.connections:
         if not other.lying() and any(one.owner == ref.owner for one in other.touches()):

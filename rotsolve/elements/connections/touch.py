@@ -29,7 +29,13 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.lying import check_from_above, check_led_along, check_off_post, check_side_by_side
+from rotsolve.elements.connections.lying import (
+    check_from_above,
+    check_led_along,
+    check_off_post,
+    check_on_one_track,
+    check_side_by_side,
+)
 from rotsolve.elements.connections.sides import check_carrier, check_side_of, goes_aside, place_on_side, round_rules
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
 from rotsolve.elements.surfaces import Curved, Level
@@ -151,23 +157,7 @@ class Touch(Connection, frozen=True):
             if isinstance(place, Curved):
                 self.check_curved(place, scene)
         if any(unknown):
-            self.check_track_alone(scene)
-
-    def check_track_alone(self, scene: Surroundings) -> None:
-        """What is on a track of unknown profile lies on nothing else in the same phase: of two nothing tells which it is on."""
-        timeline = [state.name for state in scene.problem.states] or [""]
-        for state in timeline[:-1] or timeline:
-            here = scene.connections(state)
-            other = next((item for item in here if item is not self and item.lying() == self.lying()), None)
-            if other is None or not any(item.name == self.name for item in here):
-                continue
-            mine, its = (item.touches()[1] for item in (self, other))
-            at = f" from `{state}` on" if state else ""
-            message = (
-                f"`{self.lying()}` is on `{mine.owner}` and on `{its.owner}` at once{at}: nothing tells which it is on"
-            )
-            help = f"say it of each phase: `phases: {{down: {{from: …, to: …, without: {other.name}}}, …}}`"
-            raise Unsolvable(message, span=mine.span, help=help)
+            check_on_one_track(self, scene)
 
     def check_curved(self, surface: Curved, scene: Surroundings) -> None:
         """Round bodies and particles, rolling or without friction, that fit the surface and that nothing else holds."""
