@@ -26,7 +26,7 @@ from rotsolve.core.facts import (
 )
 from rotsolve.core.vectors.heading import DOWN, RIGHT, TURNS, UP, Heading, unit
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.touch import supporting
+from rotsolve.elements.connections.lying import supporting
 from rotsolve.language.bodies import Ride
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.footing import footings, on_parts

@@ -9,8 +9,14 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes import rim_radius
 
 if TYPE_CHECKING:
-    from rotsolve.language.bodies import Body, PointRef
+    from rotsolve.language.bodies import Body, PointRef, Surface
     from rotsolve.language.elements import Connection, Surroundings
+
+
+def check_laid_on(item: Connection, scene: Surroundings) -> None:
+    """What it lies on can bear it there, and bears it in the picture."""
+    check_from_above(item, scene)
+    check_off_post(item, scene)
 
 
 def check_from_above(item: Connection, scene: Surroundings) -> None:
@@ -91,3 +97,11 @@ def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
 def is_level(name: str, scene: Surroundings) -> bool:
     """Whether a name is that of a level surface, or of the ground."""
     return name == "ground" or (name in scene.surfaces and scene.surfaces[name].level)
+
+
+def supporting(name: str, configuration: Surroundings, state: str) -> Surface | None:
+    """The flat surface along which a body travels."""
+    for item in configuration.connections(state):
+        if item.lying() and item.track(configuration.bodies[name], configuration, state) is not None:
+            return item.surface(configuration, state)
+    return None

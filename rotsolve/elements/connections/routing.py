@@ -27,8 +27,8 @@ from rotsolve.core.vectors.heading import (
     opposite,
     unit,
 )
+from rotsolve.elements.connections.lying import supporting
 from rotsolve.elements.connections.places import between, rightward
-from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import rim_radius, rims, round_part
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Moment

@@ -30,11 +30,11 @@ from rotsolve.core.vectors.heading import (
 )
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.lying import (
-    check_from_above,
+    check_laid_on,
     check_led_along,
-    check_off_post,
     check_on_one_track,
     check_side_by_side,
+    supporting,
 )
 from rotsolve.elements.connections.sides import check_carrier, check_side_of, goes_aside, place_on_side, round_rules
 from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, shape_of, touching_radius
@@ -118,7 +118,7 @@ class Touch(Connection, frozen=True):
             if not check_on_top(self, scene):
                 check_carrier(self, scene)
         self.check_side(scene)
-        check_from_above(self, scene)
+        check_laid_on(self, scene)
         self.check_places(scene)
         check_led_along(self, self.rests, scene)
 
@@ -140,7 +140,6 @@ class Touch(Connection, frozen=True):
     def check_places(self, scene: Surroundings) -> None:
         """Of surfaces that join, a track of unknown profile leads into a curved one; a curved one takes what fits it."""
         places = [scene.surfaces[ref.owner] for ref in self.places() if ref.owner in scene.surfaces]
-        check_off_post(self, scene)
         unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
         curved = all(place.curved for place in places)
         carrier = next((ref for ref in self.places() if ref.owner in scene.bodies), None)
@@ -577,14 +576,6 @@ class Touch(Connection, frozen=True):
                 force, role=LOAD if force.role == NORMAL else force.role, body=host, direction=back, part=carrier
             )
             yield replace(back_on, arm=self.underneath(instant), noun=noun, way=way, place=place)
-
-
-def supporting(name: str, configuration: Surroundings, state: str) -> Surface | None:
-    """The flat surface along which a body travels."""
-    for item in configuration.connections(state):
-        if item.lying() and item.track(configuration.bodies[name], configuration, state) is not None:
-            return item.surface(configuration, state)
-    return None
 
 
 def travel_words(forward: Heading, path: Heading | None, instant: Moment, name: str) -> tuple[str, str]:
