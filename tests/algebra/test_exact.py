@@ -465,6 +465,6 @@ def test_a_logarithm_may_hold_a_root_of_a_quotient(power: str) -> None:
     root, log = parse(power), parse(f"log({power})")
     assert is_zero(call("exp", log) - root)
     assert is_zero(call("exp", 2 * log) - root * root)
-    assert is_zero(call("log", call("exp", root)) - root)
     numbers = {name: Number(Fraction(size)) for name, size in zip("bFux", (3, 17, 11, 7), strict=True)}
+    assert evaluate(simplify(call("log", call("exp", root))) - root, numbers).sign == 0
     assert evaluate(simplify(log) - log, numbers).sign == 0
