@@ -70,10 +70,18 @@ def held_alone(problem: Problem, solution: Solution, solve: SolveFor) -> Solutio
     return without_refused(refused, problem, solution)
 
 
+def sought_twice_while_rubbing(problem: Problem) -> list[Find]:
+    """The questions `smallest F where N = P` for a letter that another one seeks too, where something rubs: it may stick at one value of it
+    and slip at the other."""
+    sought = [find.seeks for find in problem.finds if find.seeks]
+    found = [find for find in problem.finds if find.seeks and sought.count(find.seeks) > 1]
+    return found if found and not problem.space and rubs(configured(problem)) else []
+
+
 def with_all_verges(problem: Problem, solution: Solution, solve: SolveFor) -> Solution:
-    """The solution with what does not hold at each of several verges, `smallest mu where A sticks`, and without those that alone hold in
-    other cases: together they are held against the value of one."""
-    verges = [find for find in problem.finds if find.verge]
+    """The solution with what does not hold at each of several verges, `smallest mu where A sticks`, or values of one letter, and without
+    those that alone hold in other cases: together they are held against the value of one."""
+    verges = [find for find in problem.finds if find.verge] or sought_twice_while_rubbing(problem)
     beside = {answer.name: answer for answer in solution.derivation.answers}
     objections: list[Check] = []
     refused: list[Refusal] = []

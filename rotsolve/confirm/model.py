@@ -210,9 +210,13 @@ class Model:
         return self.drawn(self.middle(ref))
 
     def middle(self, ref: PointRef) -> PointRef:
-        """The point that a body named alone stands for: its centre; without one, or put together of parts, its centre of mass."""
-        body = self.body(ref.owner)
-        centred = is_round(body) or (not (body.parts or body.holes) and "center" in shape_of(body).points)
+        """The point that a body named alone stands for: its centre; without one, or put together of parts, its centre of mass.
+
+        A particle is where its mass is: what slides on another body is seated at the axis of that.
+        """
+        body, shape = self.body(ref.owner), shape_of(self.body(ref.owner))
+        whole = not (body.parts or body.holes or shape.pointlike)
+        centred = is_round(body) or (whole and "center" in shape.points)
         return ref if ref.point is not None or centred else PointRef(ref.owner, "cm")
 
     def meeting(self, ref: PointRef, turn: float) -> Spot:

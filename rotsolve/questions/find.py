@@ -251,6 +251,8 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     try:
         meanings = meanings_of_terms(find, scene, beside)
     except NotYet:
+        if scene.configuration.problem.space:
+            raise
         from rotsolve.questions.forced import forced_swings
 
         if (forced := forced_swings(find, scene.configuration)) is not None:

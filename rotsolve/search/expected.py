@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, Formula, Symbol, call, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, call, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import CENTRE_STAYS, MOMENTUM
+from rotsolve.core.equation import MOMENTUM
 from rotsolve.core.facts import signed
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.quantity import FREQUENCIES, PLANE
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.core.symbols import POSITION, RATES, has_quantities, key_of, of_kinds, phase_midst
+from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
@@ -39,7 +39,7 @@ class Expected(Struct, frozen=True):
         quantity = self.scene.registry.quantities.get(name)
         if quantity is None:
             return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
-        sliding = self._by_slide(name, quantity) if quantity.kind == "velocity" else 0
+        sliding = self._by_momentum(name, quantity) if quantity.kind == "velocity" else 0
         if sliding:
             return self._told(quantity.kind, quantity.owner, name, sliding)
         if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
@@ -97,26 +97,8 @@ class Expected(Struct, frozen=True):
         elif self.numbers.found(gone) == 0.0:  # it has come back
             sign = -self.numbers.onset(travel)
         else:
-            sign = (
-                self.numbers.sign((gone,))
-                or self.numbers.onset(travel)
-                or self.numbers.sign((self._with_the_others(gone),))
-            )
+            sign = self.numbers.sign((gone,)) or self.numbers.onset(travel)
         return self._told(kind, owner, name, sign) if sign else (0, ())
-
-    def _with_the_others(self, gone: Formula) -> Formula | None:
-        """How far a body goes as the common centre of mass of those that move together stays where it is."""
-        if not isinstance(gone, Symbol):
-            return None
-        ties = (one for one in self.scene.equations if one.law == CENTRE_STAYS and gone.name in one.symbols())
-        for tie in ties:
-            try:
-                found = solve_all([tie.left - tie.right], [gone.name]).get(gone.name)
-            except (NotLinear, Singular):
-                continue
-            if found is not None and not has_quantities(self.numbers.with_answers(found)):
-                return found
-        return None
 
     def _in_time(self, travel: Travel, passage: Passage) -> int:
         """Which way a body moves after a known time where the push changes evenly with the place: v₀ cos ω t + (a₀/ω) sin ω t."""
@@ -167,32 +149,46 @@ class Expected(Struct, frozen=True):
         sign, words = self.sign(turns[0])
         return (0, ()) if not share else (sign if share > 0 else -sign, words)
 
-    def _by_slide(self, name: str, quantity: SceneQuantity) -> int:
-        """The sign of a velocity of what hangs on how a body slides round a side of another: the rules and the momentum that is conserved
-        tie it to the speed u along that, which goes to where the next state has it."""
-        timeline, bodies = self.scene.configuration.timeline, self.scene.configuration.bodies
+    def _by_momentum(self, name: str, quantity: SceneQuantity) -> int:
+        """The sign of a velocity that the rules and the momentum which is conserved tie to one rate alone, V = c u: that at which a body
+        slides round a side of another, or turns on one, which goes to where the next state has it."""
+        timeline = self.scene.configuration.timeline
         before = timeline.before(quantity.when) if quantity.when in timeline.order else None
         if before is None or before.event is not None:
             return 0
         rules = [rule.velocity[0] - rule.velocity[1] for rule in self.scene.facts(quantity.when).rules]
-        letters = of_kinds({letter for side in rules for letter in side.symbols()}, ("velocity",))
-        slides = [letter for letter in letters if key_of(letter).owner not in bodies]
-        way = self._slides_to(key_of(slides[0]).owner, before) if len(slides) == 1 else 0
-        if not way or slides[0] == name:
-            return way
         kept = [
             one.left - one.right for one in self.scene.equations if (one.law, one.section) == (MOMENTUM, before.name)
         ]
-        told = {letter: Symbol(letter) for tie in (*rules, *kept) for letter in tie.symbols()}
+        lead, way = self._lead(rules, before, turns=bool(kept))
+        if not way or lead == name:
+            return way
+        share = self._shared([*rules, *kept], name, lead)
+        if share is None or self.numbers.side(share.substitute({lead: ZERO})) != 0:  # it moves without that too
+            return 0
+        return way * self.numbers.sign([share.substitute({lead: ONE})])
+
+    def _lead(self, rules: Sequence[Formula], before: Interval, *, turns: bool) -> tuple[str, int]:
+        """The one rate at which bodies slide on others at the end of a phase, else at which one turns, and its sense."""
+        letters = {letter for side in rules for letter in side.symbols()}
+        bodies = self.scene.configuration.bodies
+        slides = [letter for letter in of_kinds(letters, ("velocity",)) if key_of(letter).owner not in bodies]
+        if slides:
+            return slides[0], self._slides_to(key_of(slides[0]).owner, before) if len(slides) == 1 else 0
+        turning = of_kinds(letters, ("angular_velocity",)) if turns else []
+        return (turning[0], self.sign(turning[0])[0]) if len(turning) == 1 else ("", 0)
+
+    def _shared(self, ties: Sequence[Formula], name: str, lead: str) -> Formula | None:
+        """A rate by the one to which it is tied; None where more than that tells it."""
+        told = {letter: Symbol(letter) for tie in ties for letter in tie.symbols()}
         places = {letter: self.numbers.with_answers(told[letter]) for letter in told.keys() - of_kinds(told, RATES)}
         values = self.scene.configuration.problem.values
-        ties = [simplify(tie.substitute(places).substitute(values)) for tie in (*rules, *kept)]
-        held = {letter for tie in ties for letter in of_kinds(tie.symbols(), RATES)} - set(slides)
+        ties = [simplify(tie.substitute(places).substitute(values)) for tie in ties]
+        held = {letter for tie in ties for letter in of_kinds(tie.symbols(), RATES)} - {lead}
         try:
-            share = solve_all(ties, sorted(held)).get(name)
+            return solve_all(ties, sorted(held)).get(name)
         except (NotLinear, Singular):
-            return 0
-        return 0 if share is None else way * self.numbers.sign([share.substitute({slides[0]: ONE})])
+            return None
 
     def round_from(self, owner: str, state: str) -> tuple[Formula, int] | None:
         """Where on a round side of another body a body is at the state before one, and the sense in which it goes round from there."""

@@ -77,3 +77,19 @@ find: {{v: cart.velocity at end}}
     rate = sqrt(2 * rod * G * arm * (sin(start) - sin(end)) / inertia) * (1 if angles[1] > angles[0] else -1)
     speed = rod * arm * sin(end) * rate / whole
     assert solution.answers["v"].float == pytest.approx(speed if moves == "right" else -speed)
+
+
+def test_how_far_a_truck_has_gone_does_not_tell_which_way_it_goes() -> None:
+    """It has gone to the left while the rod fell to the level, d = −m₁ a (cos θ − cos θ₀)/(m₁ + m₂), and comes back from there."""
+    solution = solve("""
+title: by hand
+surfaces: {floor: level}
+bodies: {one: {mass: 3.1 kg, shape: rod, length: 1.8 m}, cart: {mass: 3.3 kg, moves: right}}
+connections: {mount: {hinge: [cart, one.at(0.6 m)]}}
+states: {start: {one.angle: 50 deg, at rest: all}, end: {one.angle: -20 deg}}
+find: {d: cart.displacement from start to end, v: cart.velocity at end}
+""")
+    gone = -3.1 * 0.3 * (cos(pi / 9) - cos(5 * pi / 18)) / 6.4
+    assert solution.answers["d"].float == pytest.approx(gone)
+    assert solution.answers["v"].float == pytest.approx(0.2129475041)
+    assert all(item.holds for item in solution.derivation.confirmed)

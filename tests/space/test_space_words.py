@@ -215,7 +215,7 @@ BODIES = "up: z\nbodies: {bar: {shape: rod, mass: 1 kg, length: 1 m}, bead: {sha
         ("connections: {c: {rides: [bead, bar]}}", "`slide: [BAR.P, BEAD], along: x`"),
         ("connections: {c: {shaft: bar.start}}", "`hinge: shaft.O, along: z, angular_velocity: w`"),
         ("actions: {a: {press: 3 N, on: bar}}", "`actions: {brake: {couple: -mu*F*R, on: BODY}}`"),
-        ("actions: {a: {couple: [0, 0, 1 N m], on: bar, from: one}}", "begin a scene of its own"),
+        ("actions: {a: {couple: [0, 0, 1 N m], on: bar, from: one}}", "begin another scene where it begins or ends"),
         ("events: {e: {removes: bar, from: one, to: two}}", "begin a scene of its own"),
         ("events: {e: {collides: [bead, bar], from: one, to: two}}", "`impulse: J, on: BODY.P, direction: z`"),
     ],
