@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, Formula, Symbol, call, sqrt
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, call, sqrt
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import CENTRE_STAYS, MOMENTUM
@@ -21,6 +21,7 @@ from rotsolve.core.symbols import POSITION, RATES, has_quantities, key_of, of_ki
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Given
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.timeline import Interval
@@ -176,23 +177,46 @@ class Expected(Struct, frozen=True):
             return 0
         rules = [rule.velocity[0] - rule.velocity[1] for rule in self.scene.facts(quantity.when).rules]
         letters = of_kinds({letter for side in rules for letter in side.symbols()}, ("velocity",))
-        slides = [letter for letter in letters if key_of(letter).owner not in bodies]
-        way = self._slides_to(key_of(slides[0]).owner, before) if len(slides) == 1 else 0
-        if not way or slides[0] == name:
+        slides = {letter: key_of(letter).owner for letter in letters if key_of(letter).owner not in bodies}
+        if not slides:  # round a body the speed along it has no letter
+            speeds = dict(self._speeds_round(quantity.when))
+            slides = {letter: key_of(letter).owner for letter in speeds}
+            rules += [speed - Symbol(letter) for letter, speed in speeds.items()]
+        (slide, owner), *others = slides.items() or [("", "")]
+        way = self._slides_to(owner, before) if slide and not others else 0
+        if not way or slide == name:
             return way
         kept = [
             one.left - one.right for one in self.scene.equations if (one.law, one.section) == (MOMENTUM, before.name)
         ]
-        told = {letter: Symbol(letter) for tie in (*rules, *kept) for letter in tie.symbols()}
+        return way * self._share_of(slide, name, (*rules, *kept))
+
+    def _speeds_round(self, state: str) -> Iterator[tuple[str, Formula]]:
+        """The speed u at which each body that lies on a round one that travels goes round it, as seen from the centre of that: to the
+        right over its top or through its bottom."""
+        configuration, instant = self.scene.configuration, self.scene.instant(state)
+        for item in configuration.connections(state):
+            surface = item.surface(configuration, state) if item.lying() and item.carrier(configuration) else None
+            out = item.away(instant) if surface is not None and surface.curved else None
+            if out is not None:
+                own, below = instant.motion(item.lying()), instant.motion(item.carrier(configuration))
+                passing = own.velocity - below.velocity_of(instant.hub(PointRef(item.carrier(configuration))))
+                yield f"slide|{item.name}||{state}", passing.along(out.turned(-90))
+
+    def _share_of(self, slide: str, name: str, ties: Sequence[Formula]) -> int:
+        """The sign with which a rate grows with the speed u along a side, as the ties have it; 0 where it hangs on more than that."""
+        told = {letter: Symbol(letter) for tie in ties for letter in tie.symbols()}
         places = {letter: self.numbers.with_answers(told[letter]) for letter in told.keys() - of_kinds(told, RATES)}
         values = self.scene.configuration.problem.values
-        ties = [simplify(tie.substitute(places).substitute(values)) for tie in (*rules, *kept)]
-        held = {letter for tie in ties for letter in of_kinds(tie.symbols(), RATES)} - set(slides)
+        known = [simplify(tie.substitute(places).substitute(values)) for tie in ties]
+        held = {letter for tie in known for letter in of_kinds(tie.symbols(), RATES)} - {slide}
         try:
-            share = solve_all(ties, sorted(held)).get(name)
+            share = solve_all(known, sorted(held)).get(name)
         except (NotLinear, Singular):
             return 0
-        return 0 if share is None else way * self.numbers.sign([share.substitute({slides[0]: ONE})])
+        if share is None or not is_zero(share.substitute({slide: ZERO})):
+            return 0
+        return self.numbers.sign([share.substitute({slide: ONE})])
 
     def round_from(self, owner: str, state: str) -> tuple[Formula, int] | None:
         """Where on a round side of another body a body is at the state before one, and the sense in which it goes round from there."""
