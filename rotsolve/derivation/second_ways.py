@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import reduce
 
 from msgspec import Struct
 
@@ -127,14 +128,14 @@ def with_factors(product: Formula, values: dict[str, Formula], letter: str, sear
     """A product with values put in; of factors that hold the letter, as R α/R, what they come to."""
     factors = product.factors if isinstance(product, Product) else (product,)
     put = (factor.substitute(values) for factor in factors)
-    return multiply(*(search.solver.simplify(one) if letter in one.symbols() else one for one in put))
+    return reduce(multiply, (search.solver.simplify(one) if letter in one.symbols() else one for one in put))
 
 
 def with_sums_done(product: Formula, search: Search) -> Formula:
     """A product whose sums of like terms are worked out, as ½ m R² + m R²; the same where they have none."""
     factors = product.factors if isinstance(product, Product) else (product,)
     done = (search.solver.simplify(one) if isinstance(one, Sum) else one for one in factors)
-    found = multiply(*done)
+    found = reduce(multiply, done)
     return (
         product if any(isinstance(one, Sum) for one in (found.factors if isinstance(found, Product) else ())) else found
     )
