@@ -176,8 +176,9 @@ def growth(stored: Formula, facts: Facts) -> Formula:
 
 
 def turning(facts: Facts, angle: str) -> Formula:
-    """Rate, counterclockwise, of the angle of the one body that is on a curved surface; on a round side of another body ∓ u/ρ, of which
-    the rule across it tells ∓ u²/ρ, where u has a letter, or is what the rule of velocities, d/dt of which that is, grows by with the angle.
+    """Rate, counterclockwise, of the angle of the one body that is on a curved surface; on a round side of another body ∓ u/ρ.
+
+    The rule across it tells ∓ u²/ρ, and is d/dt of that of velocities: u has a letter there, or is what that grows by with the angle.
     """
     owner = key_of(angle).owner
     across = next((rule for rule in facts.rules if rule.owner == owner and rule.acceleration is not None), None)

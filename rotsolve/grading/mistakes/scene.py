@@ -76,7 +76,7 @@ class Scene(Struct, frozen=True, dict=True):
         return search, answers_of(search)
 
     @cached_property
-    def forward(self) -> frozenset[tuple[str, str]]:
+    def forward(self) -> frozenset[str]:
         """The frictions that are drawn the other way, since they are known to act so: as they are where the scene is solved."""
         return frozenset() if self.problem.space else acting_forward(self._as_counted[0])
 
