@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
@@ -21,7 +21,7 @@ from rotsolve.core.symbols import POSITION, RATES, key_of, of_kinds, phase_midst
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Given
+from rotsolve.language.problem import Given, PointRef
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.numbers import Numbers
@@ -160,7 +160,12 @@ class Expected(Struct, frozen=True):
         kept = [
             one.left - one.right for one in self.scene.equations if (one.law, one.section) == (MOMENTUM, before.name)
         ]
-        lead, way = self._lead(rules, before, turns=bool(kept))
+        letters = of_kinds({letter for side in rules for letter in side.symbols()}, ("velocity",))
+        slides = [letter for letter in letters if key_of(letter).owner not in self.scene.configuration.bodies]
+        if not slides:  # round a body the speed along it has no letter
+            speeds = dict(self._speeds_round(quantity.when))
+            slides, rules = list(speeds), [*rules, *(speed - Symbol(letter) for letter, speed in speeds.items())]
+        lead, way = self._lead(rules, slides, before, turns=bool(kept))
         if not way or lead == name:
             return way
         share = self._shared([*rules, *kept], name, lead)
@@ -168,15 +173,27 @@ class Expected(Struct, frozen=True):
             return 0
         return way * self.numbers.sign([share.substitute({lead: ONE})])
 
-    def _lead(self, rules: Sequence[Formula], before: Interval, *, turns: bool) -> tuple[str, int]:
+    def _lead(
+        self, rules: Sequence[Formula], slides: Sequence[str], before: Interval, *, turns: bool
+    ) -> tuple[str, int]:
         """The one rate at which bodies slide on others at the end of a phase, else at which one turns, and its sense."""
-        letters = {letter for side in rules for letter in side.symbols()}
-        bodies = self.scene.configuration.bodies
-        slides = [letter for letter in of_kinds(letters, ("velocity",)) if key_of(letter).owner not in bodies]
         if slides:
             return slides[0], self._slides_to(key_of(slides[0]).owner, before) if len(slides) == 1 else 0
+        letters = {letter for side in rules for letter in side.symbols()}
         turning = of_kinds(letters, ("angular_velocity",)) if turns else []
         return (turning[0], self.sign(turning[0])[0]) if len(turning) == 1 else ("", 0)
+
+    def _speeds_round(self, state: str) -> Iterator[tuple[str, Formula]]:
+        """The speed u at which each body that lies on a round one that travels goes round it, as seen from the centre of that: to the
+        right over its top or through its bottom."""
+        configuration, instant = self.scene.configuration, self.scene.instant(state)
+        for item in configuration.connections(state):
+            surface = item.surface(configuration, state) if item.lying() and item.carrier(configuration) else None
+            out = item.away(instant) if surface is not None and surface.curved else None
+            if out is not None:
+                own, below = instant.motion(item.lying()), instant.motion(item.carrier(configuration))
+                passing = own.velocity - below.velocity_of(instant.hub(PointRef(item.carrier(configuration))))
+                yield f"slide|{item.name}||{state}", passing.along(out.turned(-90))
 
     def _shared(self, ties: Sequence[Formula], name: str, lead: str) -> Formula | None:
         """A rate by the one to which it is tied; None where more than that tells it."""

@@ -26,6 +26,7 @@ from rotsolve.scene.elements import TABLES
 
 Readings = Callable[[Path], tuple[SceneEquations, ...]]
 RATES = ("velocity", "angular_velocity")
+ACCELERATIONS = ("acceleration", "angular_acceleration")
 STRETCHES = ("elongation", "length")
 PLACES = ("angle", "displacement", *STRETCHES)
 
@@ -163,23 +164,33 @@ def growth(stored: Formula, facts: Facts) -> Formula:
         body = facts.body(owner)
         if kind in STRETCHES:
             result = result + differentiate(stored, name) * stretch[owner]
+        elif kind == "height" and body is not None:  # on a track of which no more is told
+            result = result + differentiate(stored, name) * body.motion.velocity.along(UP)
         elif kind in PLACES:
             if body is None:  # a place on a curved surface
-                result = result + differentiate(stored, name) * turning(facts, owner)
+                result = result + differentiate(stored, name) * turning(facts, name)
                 continue
             pace = body.motion.spin if kind == "angle" else body.motion.velocity.along(body.motion.heading or UP)
             result = result + differentiate(stored, name) * pace
     return result
 
 
-def turning(facts: Facts, owner: str) -> Formula:
-    """Rate, counterclockwise, of the angle of the one body that is on a curved surface; on a round side of another body ∓ u/ρ, of which
-    the rule across it tells ∓ u²/ρ."""
+def turning(facts: Facts, angle: str) -> Formula:
+    """Rate, counterclockwise, of the angle of the one body that is on a curved surface; on a round side of another body ∓ u/ρ.
+
+    The rule across it tells ∓ u²/ρ, and is d/dt of that of velocities: u has a letter there, or is what that grows by with the angle.
+    """
+    owner = key_of(angle).owner
     across = next((rule for rule in facts.rules if rule.owner == owner and rule.acceleration is not None), None)
-    along = [name for name in across.velocity[1].symbols() if key_of(name).owner == owner] if across is not None else []
-    if across is not None and across.acceleration is not None and along:
-        towards = across.acceleration[1] - across.acceleration[1].substitute({along[0]: ZERO})
-        return simplify(towards / Symbol(along[0]))
+    if across is not None and across.acceleration is not None:
+        letters = [name for name in across.velocity[1].symbols() if key_of(name).owner == owner and is_rate(name)]
+        if letters:
+            towards = across.acceleration[1] - across.acceleration[1].substitute({letters[0]: ZERO})
+            return simplify(towards / Symbol(letters[0]))
+        gap, bent = (side[0] - side[1] for side in (across.velocity, across.acceleration))
+        still = {name: ZERO for name in bent.symbols() if key_of(name).kind in ACCELERATIONS}
+        if angle in gap.symbols():
+            return simplify(bent.substitute(still) / differentiate(gap, angle))
     (body,) = (body for body in facts.bodies if body.motion.bend is not None)
     bend = body.motion.bend
     assert bend is not None

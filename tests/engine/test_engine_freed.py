@@ -20,6 +20,7 @@ WITHHELD = {  # answered in numbers; in letters refused by name, or withheld sin
     "kowalevskaya-top": "that its vertical is a direction of length 1 its letters do not tell",
     "four-bar-linkage": "whether it closes hangs on its letters",
     "how-long-a-top-nods": "on what its angle hangs is too long to print in letters",
+    "rolls-on-a-rolling-cylinder": "on what its answers hang, up to where it leaves, is too long to print in letters",
 }
 WRONG_WAY = """
 given: {m: 2 kg, F: 30 N, mu: 0.2}

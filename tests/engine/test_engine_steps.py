@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.symbols import GENERIC, VIRTUAL
+from rotsolve.core.symbols import GENERIC, POSITION, VIRTUAL
 from rotsolve.language.problem import Problem
 from rotsolve.search.search import Search
 
@@ -89,8 +89,10 @@ def running(search: Search) -> dict[str, Sides]:
     """The places and speeds that run through a phase, with their values at its ends."""
     found: dict[str, Sides] = {}
     for passage in search.scene.passages.values():
+        led = any(travel.leads for travel in passage.travels)
         for travel in passage.travels:
-            if travel.leads and isinstance(travel.coordinate, Symbol):
+            runs = travel.leads or (not led and travel.pace == POSITION)
+            if runs and isinstance(travel.coordinate, Symbol):
                 assert travel.start is not None and travel.end is not None
                 found.setdefault(travel.coordinate.name, (travel.start, travel.end))
             elif travel.leads and isinstance(travel.moving, Symbol):

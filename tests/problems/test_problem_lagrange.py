@@ -53,7 +53,9 @@ NONHOLONOMIC = "coin-in-a-circle ball-across-a-slope ball-on-a-turntable ball-on
 TOLD_BY_POWER = "flywheel-constant-power"
 UNKNOWN_TRACK = "loop-the-loop rough-slide-then-smooth-one"
 GIVEN_TURN = "momentum-as-a-function-of-time"
-ROUND_SIDES = "particle-in-a-free-bowl particle-off-a-free-dome"  # v = V + u t ties rates at one moment
+ROUND_SIDES = (
+    "particle-in-a-free-bowl particle-off-a-free-dome bead-in-a-hoop-on-ice"  # v = V + u t ties rates at one moment
+)
 
 NOTHING, ALONE = "do not settle anything that is asked here", "alone can not tell"
 REASONS = {  # the problems, and what the message and its help say

@@ -44,6 +44,6 @@ def test_nothing_is_left_in_english(problem_file: Path, name: str) -> None:
     assert not translation.lost, f"lines for rotsolve/page/languages/{name}.txt"
 
     def digits(blocks: Any) -> Counter[str]:
-        return Counter(re.findall(r"\d", "".join(texts(blocks)).replace("2. newtonsches", "")))
+        return Counter(re.findall(r"\d", "".join(texts(blocks)).replace("2. newtonsche", "")))
 
     assert digits(translated) == digits(english)

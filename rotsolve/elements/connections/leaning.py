@@ -7,10 +7,11 @@ from typing import Protocol, cast
 
 from msgspec import field
 
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import LIES, NORMAL, TOUCHES, Force, Requirement, Rule, square
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import LEFT, NOWHERE, RIGHT, UP, Heading, Vector, heading, unit
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import Friction, Touch
@@ -164,8 +165,8 @@ class Leans(Touch, frozen=True):
             start = instant.point(PointRef(ref.owner, "start")), instant.point(foot[0])
             before = (start[1] - start[0]).along(self.along(instant))
             return PointRef(ref.owner, "at", simplify(before + high / rise), span=ref.span)
-        way = (instant.point(ref) - instant.point(foot[0])).along(UP)
-        if not is_zero(way - high) and instant.configuration.signs.decide(way - high) != 0:
+        gap = simplify((instant.point(ref) - instant.point(foot[0])).along(UP) - high)
+        if gap != ZERO and not has_quantities(gap) and instant.configuration.signs.decide(gap) != 0:
             message = f"as `{ref.owner}` stands, that place is not as high above its foot as `{self.contact[1].owner}` is above `{foot[1]}`"
             raise Unsolvable(message, span=ref.span, help=f"leave the place out: `contact: [{ref.owner}, …]`")
         return ref

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-OPPOSITE = {"up": "down", "left": "right", "clockwise": "counterclockwise", "inwards": "outwards"}
+OPPOSITE = {"up": "down", "left": "right", "clockwise": "counterclockwise", "inwards": "outwards", "forward": "back"}
 OPPOSITE |= {other: one for one, other in OPPOSITE.items()}
 _SYNONYMS = {  # other words for a direction
     "counterclockwise": "anticlockwise anti-clockwise counter-clockwise ccw",
@@ -15,6 +15,8 @@ _SYNONYMS = {  # other words for a direction
     "right": "rightward rightwards",
     "inwards": "inward",
     "outwards": "outward",
+    "forward": "forwards",
+    "back": "backward backwards",
 }
 SYNONYMS = {word: direction for direction, words in _SYNONYMS.items() for word in words.split()}
 SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SYNONYMS}, key=len)), re.IGNORECASE)

@@ -30,6 +30,7 @@ from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
+from rotsolve.search.acting import acting_forward
 from rotsolve.search.answering import answer
 from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
@@ -69,8 +70,21 @@ class Scene(Struct, frozen=True, dict=True):
         return modes_of(self.configuration)
 
     @cached_property
+    def _as_counted(self) -> tuple[Search, Mapping[str, Answer]]:
+        """The right answers with each friction drawn against the way in which its body is counted, and how they were found."""
+        search = Search(equations_by(self.configuration, self.modes), families_for(None))
+        return search, answers_of(search)
+
+    @cached_property
+    def forward(self) -> frozenset[str]:
+        """The frictions that are drawn the other way, since they are known to act so: as they are where the scene is solved."""
+        return frozenset() if self.problem.space else acting_forward(self._as_counted[0])
+
+    @cached_property
     def equations(self) -> SceneEquations:
-        return equations_by(self.configuration, self.modes)
+        if not self.forward:
+            return self._as_counted[0].scene
+        return equations_by(replace(self.configuration, forward=self.forward), self.modes)
 
     @cached_property
     def moments(self) -> tuple[Facts, ...]:
@@ -96,7 +110,7 @@ class Scene(Struct, frozen=True, dict=True):
     @cached_property
     def answers(self) -> Mapping[str, Answer]:
         """The right answers by name."""
-        return answers_of(Search(self.equations, families_for(None)))
+        return answers_of(Search(self.equations, families_for(None))) if self.forward else self._as_counted[1]
 
     def with_mistake(self, mistake: Mistake) -> Mapping[str, Answer] | None:
         """The answers that the mistake changes; None where it changes none, or the scene has no answer then."""
@@ -135,7 +149,7 @@ class Scene(Struct, frozen=True, dict=True):
             return self._reread(change, self.problem.values)
         problem = self.problem if change.problem is None else change.problem(self.problem)
         altered = change.altered if change.altered is None or change.about_contact else about_centres(change.altered)
-        configuration = Configuration(problem, altered)
+        configuration = Configuration(problem, altered, self.forward)
         modes = self.modes if change.problem is None else modes_of(configuration)
         families = tuple(family for family in families_for(None) if family not in change.aside)
         search = Search(equations_by(configuration, modes), families, confirming=True)
