@@ -142,3 +142,29 @@ def test_of_two_places_in_balance_that_is_taken_at_which_all_push() -> None:
         "states: {rest: {rod.angle: theta, balance: true}}\nfind: {theta: theta in deg}\n"
     )
     assert number(solve(scene, digits=12), "theta") == pytest.approx(60)
+
+
+@pytest.mark.parametrize("asked", ["bead.velocity.x", "bead.velocity.y", "hoop.velocity"])
+@pytest.mark.parametrize("end", [-90, -60, -130])
+@pytest.mark.parametrize(("start", "way"), [(-20, -1), (-160, 1)])
+@pytest.mark.parametrize("moves", ["right", "left"])
+def test_what_slides_in_a_free_hoop_goes_to_where_it_comes_next(
+    asked: str, end: int, start: int, way: int, moves: str
+) -> None:
+    """Each alone: by energy and momentum u of the bead as seen from the hoop, along it the way in which its angle changes."""
+    text = (
+        "title: x\ngiven: {M: 1 kg, m: 200 g, R: 30 cm}\nsurfaces: {ice: level}\n"
+        f"bodies: {{hoop: {{shape: ring, mass: M, radius: R, moves: {moves}}}, bead: {{shape: particle, mass: m}}}}\n"
+        "connections: {base: {contact: [hoop, ice]}, touch: {contact: [bead, hoop], inside: true}}\n"
+        f"states: {{high: {{touch.angle: {start} deg, at rest: all}}, low: {{touch.angle: {end} deg}}}}\n"
+        f"find: {{x: {asked} at low}}"
+    )
+    heavy, light, radius, angle = 1.0, 0.2, 0.3, math.radians(end)
+    drop = radius * (math.sin(math.radians(start)) - math.sin(angle))
+    along = -way * math.sin(angle), way * math.cos(angle)
+    back = -light * along[0] / (heavy + light)  # V/u, by momentum
+    rates = {"bead.velocity.x": along[0] + back, "bead.velocity.y": along[1], "hoop.velocity": back}
+    kinetic = heavy * back**2 + light * (rates["bead.velocity.x"] ** 2 + along[1] ** 2)
+    speed = math.sqrt(2 * light * 9.8 * drop / kinetic)
+    sense = -1 if asked == "hoop.velocity" and moves == "left" else 1
+    assert number(solve(text), "x") == pytest.approx(sense * speed * rates[asked], rel=1e-3, abs=1e-12)
