@@ -213,7 +213,7 @@ def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     for item in model.acting.connections:
         if isinstance(item, Touch) and item.lying() == name:
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and surface.radius() is not None and on_known(item, model):
+            if isinstance(surface, Curved) and surface.radius() is not None and not carrier_travels(item, model):
                 return item, surface
     return None
 
@@ -226,11 +226,6 @@ def onward(name: str, pose: Pose, model: Known) -> Way | None:
     x, y = (part.value for part in from_middle(found[0], pose, model))
     size, sign = math.hypot(x, y), round_way(found[1], model.body(name).moves)
     return (-y * sign / size, x * sign / size)
-
-
-def on_known(item: Touch, model: Known) -> bool:
-    """Whether a curved surface is a side of a body, or stands still, or turns on an axle of its own."""
-    return item.side is not None or not carrier_travels(item, model)
 
 
 def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:

@@ -102,7 +102,7 @@ def rim_under(item: Touch, model: Known) -> Curved | None:
 def carrier_travels(item: Touch, model: Known) -> bool:
     """Whether a contact is with a round body that no fixed axle holds."""
     under = item.pair()[1].owner
-    return under in model.seats and under not in model.held
+    return item.side is None and under in model.seats and under not in model.held
 
 
 def grounded(model: Known) -> dict[str, tuple[str, PointRef]]:

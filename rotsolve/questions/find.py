@@ -248,16 +248,7 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
 
         refuse_products(find)
         refuse_mixed_axes(find, scene)
-    try:
-        meanings = meanings_of_terms(find, scene, beside)
-    except NotYet:
-        if scene.configuration.problem.space:
-            raise
-        from rotsolve.questions.forced import forced_swings
-
-        if (forced := forced_swings(find, scene.configuration)) is not None:
-            raise forced from None
-        raise
+    meanings = meanings_of_terms(find, scene, beside)
     if any(term.path.quantity == "kinetic_energy" for term in find.terms):
         from rotsolve.questions.energies import with_named_energies
 
@@ -308,7 +299,13 @@ def meanings_of_terms(find: Find, scene: SceneEquations, beside: Beside | None) 
     try:
         return [meaning_of(term, scene, beside) for term in find.terms]
     except NotYet:
-        if not scene.configuration.problem.space or len(find.terms) < 2:
+        if not scene.configuration.problem.space:
+            from rotsolve.questions.forced import forced_swings
+
+            if (forced := forced_swings(find, scene.configuration)) is not None:
+                raise forced from None
+            raise
+        if len(find.terms) < 2:
             raise
         from rotsolve.space.supports import with_supports_together
 

@@ -260,3 +260,23 @@ def test_what_is_not_solved_is_refused_by_name(words: str) -> None:
     text = scene(REFUSED[words], "states: {s: at rest}\nfind: {N: slide.normal_force}\n")
     with pytest.raises((Unsolvable, SceneError), match=words):
         solve(text)
+
+
+@pytest.mark.parametrize("turns", ["", ", turns: counterclockwise", ", turns: clockwise"])
+@pytest.mark.parametrize(("start", "way"), [(200, 1), (340, -1)])
+def test_a_ball_that_rolls_down_a_free_bowl_spins_the_way_it_rolls(start: int, way: int, turns: str) -> None:
+    """M V²/2 + m (V + u)²/2 + m u²/5 = m g (R − r) (1 − sin 20°), M V + m (V + u) = 0; to the right through the bottom it turns clockwise,
+    which counts as positive unless the scene says otherwise."""
+    solution = solve(f"""
+    given: {{M: 3 kg, m: 1 kg, R: 50 cm, r: 5 cm}}
+    surfaces: {{floor: level, bowl: {{hollow: R, of: block}}}}
+    bodies: {{block: {{mass: M}}, ball: {{shape: sphere, mass: m, radius: r{turns}}}}}
+    connections: {{under: {{contact: [block, floor]}}, touch: {{rolls: [ball, bowl]}}}}
+    states: {{start: {{touch.angle: {start} deg, at rest: all}}, low: {{touch.angle: 270 deg}}}}
+    find: {{w: ball.angular_velocity at low}}
+    """)
+    whole = 3 * (1 / 4) ** 2 / 2 + (3 / 4) ** 2 / 2 + 1 / 5
+    u = sqrt(9.8 * 0.45 * (1 - sin(radians(20))) / whole)
+    sense = -1 if "counter" in turns else 1
+    assert solution.answers["w"].float == pytest.approx(sense * way * u / 0.05)
+    assert all(item.holds for item in solution.derivation.confirmed)
