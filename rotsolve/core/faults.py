@@ -1,8 +1,9 @@
-"""Fault: one thing wrong with a scene, its place and its cure; SceneError: all faults of a file at once, as printed text."""
+"""Fault: one thing wrong with a scene, its place and its cure; the errors that rotsolve raises, as printed text."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 from msgspec import Struct
 
@@ -33,7 +34,61 @@ class Fault(Struct, frozen=True):
     broken: bool = False
 
 
-class SceneError(Exception):
+class RotsolveError(Exception):
+    """What all errors have in common that rotsolve raises on purpose: the text of each says what is wrong, where, and what would help.
+
+    `file` is '' and `line` and `column`, from 1 on, are None where it is about no place in a file. Errors can be pickled and copied.
+    """
+
+    file: str = ""
+
+    @property
+    def first(self) -> Fault:
+        """The first thing that is wrong."""
+        return Fault(str(self))
+
+    @property
+    def line(self) -> int | None:
+        """The line of the file."""
+        return self.first.span.line if self.first.span else None
+
+    @property
+    def column(self) -> int | None:
+        """The column in that line."""
+        return self.first.span.column if self.first.span else None
+
+    @property
+    def message(self) -> str:
+        """What is wrong, in one sentence."""
+        return self.first.message
+
+    @property
+    def help(self) -> str:
+        """What would help, '' where nothing is known."""
+        return self.first.help
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return error_again, (type(self), self.args, self.__dict__)
+
+
+def error_again(kind: type[RotsolveError], args: tuple[Any, ...], state: Mapping[str, Any]) -> RotsolveError:
+    """An error as it was, made by what pickling and copying has kept of it."""
+    error = kind.__new__(kind, *args)
+    error.args = args
+    error.__dict__.update(state)
+    return error
+
+
+class MissingPackage(RotsolveError, ModuleNotFoundError):
+    """A package that only some uses of rotsolve take, and that is not installed; says how to get it."""
+
+
+def missing_package(use: str, name: str, extra: str) -> MissingPackage:
+    """`tables take pandas: pip install 'rotsolve[frames]'`."""
+    return MissingPackage(f"{use} {name}: pip install 'rotsolve[{extra}]'")
+
+
+class SceneError(RotsolveError):
     """A scene that can't be read: every fault of the file, in the order of the file."""
 
     def __init__(self, faults: Iterable[Fault], lines: Sequence[str] = (), file: str = "") -> None:
@@ -45,6 +100,11 @@ class SceneError(Exception):
     def render(self) -> str:
         """The text of all faults, a blank line between two."""
         return "\n\n".join(render(fault, self.lines, self.file) for fault in self.faults)
+
+    @property
+    def first(self) -> Fault:
+        """The first fault of the file."""
+        return self.faults[0]
 
     @property
     def not_yet(self) -> bool:
@@ -99,7 +159,7 @@ def printable(text: str) -> str:
     return "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in spaced)
 
 
-class Unsolvable(Exception):
+class Unsolvable(RotsolveError):
     """A well-formed scene without an answer: what is missing, contradictory or out of reach."""
 
     kind = "unsolvable"
@@ -120,6 +180,11 @@ class Unsolvable(Exception):
         self.file = file
         self.others = tuple(others)  # why other questions have no answer either
         super().__init__(self.render())
+
+    @property
+    def first(self) -> Fault:
+        """Why there is no answer."""
+        return self.fault
 
     def render(self) -> str:
         """The message with its place, as printed, and those of other questions."""
