@@ -16,6 +16,7 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.units.dimension import base_unit_text
+from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.apart import each_where_answered, those_in_time
 from rotsolve.core.derivation import Check, Derivation
 from rotsolve.core.equation import FAMILIES
@@ -39,7 +40,7 @@ from rotsolve.profile import stage
 from rotsolve.scene.read import read_source, read_text
 from rotsolve.search.answering import Unanswered
 from rotsolve.search.answers import unsolvable
-from rotsolve.solution import Solution
+from rotsolve.solution import Resolved, Solution
 from rotsolve.solving import solved
 
 if TYPE_CHECKING:
@@ -83,8 +84,41 @@ def solve_problem(
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
     solution = refused_fairly(problem, law, digits, at)
-    if not confirm:
-        return solution
+    again = partial(solve_problem, problem, law=law, digits=digits, at=at, confirm=confirm)
+    trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
+    solution = replace(solution, trace=trace)
+    return held_against_assembly(solution, problem) if confirm else solution
+
+
+def solved_anew(
+    problem: Problem, law: str | None, digits: int, at: str | None, settings: Mapping[str, str], moment: str | None
+) -> Resolved:
+    """A problem solved with other values of its givens, and at another moment where one is told."""
+    with witnessed() as witness:
+        try:
+            own = with_other_values(problem, settings)
+            solution = refused_fairly(own, law, digits, moment or at)
+        except (SceneError, Unsolvable) as error:
+            return Resolved(None, error.message, tuple(witness.asked), witness.by_size)
+    try:
+        solution = held_against_assembly(solution, own)
+    except Unsolvable as error:
+        return Resolved(None, error.message, tuple(witness.asked), witness.by_size)
+    return Resolved(solution, "", tuple(witness.asked), witness.by_size)
+
+
+def with_other_values(problem: Problem, settings: Mapping[str, str]) -> Problem:
+    """The problem read once more with values of its givens, and with those of letters that the reader made put in."""
+    made = {given.name for given in problem.givens if given.automatic}
+    told = {name: text for name, text in settings.items() if name not in made}
+    own = read_text("\n".join(problem.lines), problem.file, {**dict(problem.settings), **told})
+    values = {name: parse_quantity(text).value for name, text in settings.items() if name in made}
+    givens = [replace(item, value=values[item.name]) if item.name in values else item for item in own.givens]
+    return replace(own, givens=tuple(givens)) if values else own
+
+
+def held_against_assembly(solution: Solution, problem: Problem) -> Solution:
+    """The solution without what an assembly of all bodies' equations contradicts; Unsolvable where nothing is left."""
     with stage("confirm", whole=True):
         told = {answer.name for answer in solution.derivation.answers}  # some may have been left out since
         found = () if solution.trace.confirmation is None else solution.trace.confirmation()
@@ -265,9 +299,6 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
         solution = solved(problem, configuration, law, digits, at)
         refuse_idle([solution], problem)
 
-    def case(values: Mapping[str, Formula]) -> tuple[Solution, Mapping[Formula, int]]:
-        return case_of(problem, values, law, digits, at)
-
     def confirmation() -> tuple[AnswerConfirmation, ...]:
         from rotsolve.confirm.verdicts import confirmations
 
@@ -282,7 +313,7 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
             trace.others,
         )
 
-    return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
+    return replace(solution, trace=replace(solution.trace, confirmation=confirmation))
 
 
 def limits_of(configuration: Configuration) -> Iterator[Limit]:
@@ -303,22 +334,6 @@ def made_ready(problem: Problem) -> tuple[Configuration, Configuration]:
     if changes_at_last(whole):
         whole = configured(with_hereafter(problem))
     return whole, block_of(whole)
-
-
-def case_of(
-    problem: Problem, values: Mapping[str, Formula], law: str | None, digits: int, at: str | None
-) -> tuple[Solution, Mapping[Formula, int]]:
-    """The solution in letters for some givens in the case that their values are of, and the signs that it took."""
-    from rotsolve.search.letterspace import any_point, at_point, numbers_of, open_letters
-
-    freed = tuple([replace(item, value=None) if item.name in values else item for item in problem.givens])
-    configuration = asked_part(replace(problem, givens=freed))
-    own = configuration.problem
-    point = {**numbers_of(any_point(open_letters(own))), **values}
-    with witnessed() as witness:
-        solution = solved(problem, Configuration(at_point(own, point)), law, digits, at)
-    needed = {value: sign for value, (sign, _) in witness.needed.items()}
-    return solution, {**witness.supposed, **needed}
 
 
 def solved_by_cases(
@@ -422,7 +437,7 @@ def may_be(problem: Problem, configuration: Configuration, numbers: Mapping[str,
         if item.name in numbers  # that of a letter which a question seeks is its answer
     }
     try:
-        read_text("\n".join(problem.lines), problem.file, settings)
+        read_text("\n".join(problem.lines), problem.file, {**dict(problem.settings), **settings})
     except SceneError:
         return False
     return True

@@ -11,6 +11,7 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.algebra.tape import BITS, Operation, Tape
+from rotsolve.core.faults import RotsolveError, missing_package
 from rotsolve.core.symbols import TIME
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from rotsolve.language.problem import Given
 
 
-class NotForMany(ValueError):
+class NotForMany(RotsolveError, ValueError):
     """Answers that are not to be had for other givens without solving the scene again; says why in words."""
 
 
@@ -49,7 +50,7 @@ def program(formulas: Iterable[Formula], inputs: Iterable[str], known: Mapping[s
     return Program(tape.operations, results)
 
 
-def evaluate_many(
+def answers_as_decided(
     answers: tuple[Answer, ...], givens: tuple[Given, ...], valid: Validity, values: Mapping[str, Any], certified: bool
 ) -> dict[str, Any]:
     """The answers by name, in their units; arrays of values with arrays of errors where `certified`."""
@@ -57,7 +58,7 @@ def evaluate_many(
         from rotsolve.arrays.balls import ball_results
         from rotsolve.arrays.floats import float_results
     except ModuleNotFoundError:
-        raise NotForMany("arrays take NumPy: pip install 'rotsolve[arrays]'") from None
+        raise missing_package("arrays take", "NumPy", "arrays") from None
     known = checked(givens, valid.positive, values)
     forms = {name: in_its_unit(answer) for name, answer in single_answers(answers)}
     bounds = [*valid.bounds, *valid.sides, *(limit for limit in valid.limits if limit.symbols() <= values.keys())]

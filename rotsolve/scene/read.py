@@ -211,7 +211,8 @@ class Sections:
         fields["answers"] = self.answers(asked)
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
-        problem = Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
+        settings = tuple(self.settings.items())
+        problem = Problem(file=file, lines=lines, givens=self.all_givens(), settings=settings, **fields)
         if not scope.space:
             return problem
         from rotsolve.scene.first_rates import with_first_rates

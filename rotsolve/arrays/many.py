@@ -1,0 +1,184 @@
+"""Many: the answers for many sets of givens: each set by the case that it is of, each case solved once; what has no number says why."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from msgspec import Struct
+
+from rotsolve.algebra.formula import ONE, Formula
+from rotsolve.algebra.units.dimension import base_unit_text
+from rotsolve.arrays import NotForMany, checked, single_answers
+from rotsolve.arrays.cases import Case, Columns, Resolving, Row, alike, case_at, numbers_of, own_number, says_the_same
+from rotsolve.arrays.held import contradicted, made_complete
+from rotsolve.core.symbols import TIME
+from rotsolve.motion.limits import limits_of_scene
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.units.unit_table import Unit
+    from rotsolve.solution import Resolved, Solution
+
+MOST = 100  # sets that are solved for one call
+TOO_MANY = f"not worked out: {MOST} sets that differ in what decides were solved before it; ask for it in a call of its own"
+Contradicting = Callable[[Case, Columns, Any], bool]
+
+
+class ManyAnswers(dict[str, Any]):
+    """Arrays by the names of the answers, NaN where a set has no number; `reasons` says why, '' where there is one.
+
+    A choice has words, '' where it has none. `units` are those of the arrays. It is a dict, of which `pandas.DataFrame(…)` makes a table.
+    """
+
+    def __init__(self, found: Mapping[str, Any], reasons: Mapping[str, Any], units: Mapping[str, str]) -> None:
+        super().__init__(found)
+        self.reasons = dict(reasons)
+        self.units = dict(units)
+
+    @property
+    def valid(self) -> Any:
+        """Which sets have all their answers."""
+        return np.logical_and.reduce([reasons == "" for reasons in self.reasons.values()])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self), self.reasons, self.units)
+
+
+class Sets(Struct):
+    """Sets of givens that are being answered: what solves one, what else decides, and what an assembly holds against them."""
+
+    given: Columns
+    solve: Resolving
+    limits: Sequence[Formula]
+    contradicted: Contradicting
+    units: dict[str, Unit | None]
+    certified: bool
+    numbers: dict[str, tuple[Any, ...]] = {}
+    reasons: dict[str, Any] = {}
+
+    def answer(self, cases: list[Case]) -> None:
+        """Answer all sets, by the `cases` that are known and by others, which are entered there."""
+        left = self.entered()
+        for case in cases:
+            left = self.spread(case, left, alike(case, self.given, left)) if left.any() else left
+        for _ in range(MOST):
+            if not left.any():
+                return
+            first = int(np.argmax(left))
+            case = case_at(self.solve, self.given, first, self.limits)
+            here = self.like(case, left, first)
+            left = self.spread(case, left, here)
+            if case.general:
+                cases.append(case)
+        for name in self.units:
+            self.told(name)[left] = TOO_MANY
+
+    def entered(self) -> Any:
+        """The sets that are numbers; the others are told to be none."""
+        left = np.ones(self.given.size, dtype=bool)
+        for name in self.units:
+            self.told(name)
+        for letter, column in self.given.columns.items():
+            none = left & ~np.isfinite(column)
+            for name in self.units:
+                self.reasons[name][none] = f"`{letter}` is no number"
+            left &= ~none
+        return left
+
+    def like(self, case: Case, left: Any, first: int) -> Any:
+        """The sets that are of a case; that of its own alone, where another that is solved too, or an assembly, says otherwise."""
+        alone = self.given.only(first)
+        try:
+            here = (alike(case, self.given, left) | alone) if case.general else alone
+        except NotForMany:  # what decides has no form that could be evaluated
+            here = alone
+        others = np.flatnonzero(here & ~alone)
+        if len(others):
+            probed = case_at(self.solve, self.given, int(others[-1]), self.limits)
+            case.general = says_the_same(case, probed, self.given, int(others[-1]))
+            case.general = case.general and not self.contradicted(case, self.given, here)
+        elif case.general:
+            case.general = False  # nothing has been seen of others
+        return here if case.general else alone
+
+    def spread(self, case: Case, left: Any, here: Any) -> Any:
+        """Enter what a case says of its sets; what is left behind them."""
+        for name in dict.fromkeys((*self.units, *case.numbers, *case.reasons)):
+            self.units.setdefault(name, case.units.get(name))
+            reason = case.reason(name)
+            self.told(name)[here] = reason
+            if not reason:
+                self.enter(case, name, here)
+        return left & ~here
+
+    def told(self, name: str) -> Any:
+        """The reasons of an answer."""
+        if name not in self.reasons:
+            self.reasons[name] = np.full(self.given.size, "these numbers have no such answer", dtype=object)
+        return self.reasons[name]
+
+    def enter(self, case: Case, name: str, here: Any) -> None:
+        """The numbers of a case in the unit of an answer."""
+        number, unit = case.numbers[name], self.units[name]
+        if isinstance(number, str):
+            empty: tuple[Any, ...] = ("",)
+            values: tuple[Any, ...] = (number,)
+        else:
+            empty = (math.nan, math.inf) if self.certified else (math.nan,)
+            form = case.forms.get(name)
+            if case.general and form is not None:
+                values = numbers_of(form / (ONE if unit is None else unit.factor), self.given, here, self.certified)
+            else:
+                values = own_number(number, unit)
+        if name not in self.numbers:
+            kind: Any = object if isinstance(number, str) else np.float64
+            self.numbers[name] = tuple(np.full(self.given.size, one, dtype=kind) for one in empty)
+        for whole, part in zip(self.numbers[name], values, strict=False):
+            whole[here] = part
+
+    def result(self, shape: tuple[int, ...]) -> ManyAnswers:
+        """All answers, as arrays of a shape."""
+        if not self.numbers:
+            reason = next((text for texts in self.reasons.values() for text in texts), "")
+            raise NotForMany(f"none of the sets has an answer{f': {reason}' if reason else ''}")
+        found: dict[str, Any] = {}
+        for name in self.units:
+            nothing = (np.full(self.given.size, math.nan), np.full(self.given.size, math.inf))
+            parts = tuple(part.reshape(shape) for part in self.numbers.get(name, nothing[: 1 + self.certified]))
+            found[name] = parts if self.certified and len(parts) > 1 else parts[0]
+        reasons = {name: texts.reshape(shape) for name, texts in self.reasons.items()}
+        return ManyAnswers(found, reasons, {name: unit.text if unit else "" for name, unit in self.units.items()})
+
+
+def answers_of_sets(
+    solution: Solution, values: Mapping[str, Any], cases: list[Case], certified: bool
+) -> ManyAnswers:
+    """The answers to all sets of values, by the cases that are known and by others, which are entered there."""
+    problem = solution.problem
+    known = checked(problem.givens, (), values)
+    inputs = {name: np.asarray(column, dtype=np.float64) for name, column in values.items()}
+    shape = np.broadcast_shapes(*(item.shape for item in inputs.values()))
+    columns = {name: np.broadcast_to(item, shape).reshape(-1) for name, item in inputs.items()}
+    open_ = [given.name for given in problem.givens if given.value is None and not given.asked]
+    given = Columns(math.prod(shape), columns, known, frozenset(open_) - columns.keys())
+    whole = made_complete(problem)
+    limits = [limit.gap for limit in limits_of_scene(whole)]
+    units = {name: answer.unit for name, answer in single_answers(solution.derivation.answers)}
+    sets = Sets(given, partial(resolved, solution), limits, partial(contradicted, problem=whole.problem), units, certified)
+    sets.answer(cases)
+    return sets.result(shape)
+
+
+def resolved(solution: Solution, row: Row) -> Resolved:
+    """A scene solved for one set of values in SI units."""
+    assert solution.trace.anew is not None
+    dimensions = {given.name: given.dimension for given in solution.problem.givens}
+    settings = {}
+    for name, size in row.items():
+        dimension = dimensions.get(name)
+        settings[name] = f"{size!r} {base_unit_text(dimension) if dimension else ''}".rstrip()
+    moment = f"{settings.pop(TIME)} s" if TIME in settings else None
+    return solution.trace.anew(settings, moment)
