@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
@@ -37,7 +36,7 @@ from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
 from rotsolve.profile import stage
-from rotsolve.scene.read import read_source, read_text
+from rotsolve.scene.read import Source, read_source, read_text
 from rotsolve.search.answering import Unanswered
 from rotsolve.search.answers import unsolvable
 from rotsolve.solution import Resolved, Solution
@@ -56,16 +55,18 @@ TRIAL_STEPS = STEPS // 10  # of work for one that is only tried, for a word of h
 
 
 def solve(
-    source: str | os.PathLike[str],
+    source: Source,
     *,
     law: str | None = None,
-    settings: Mapping[str, str] | None = None,
+    settings: Mapping[str, object] | None = None,
     digits: int = DIGITS,
     at: str | None = None,
     confirm: bool = True,
 ) -> Solution:
-    """Solve a scene: a path, or YAML text (text with a line break); functions of time are evaluated `at` a time such as "2 s".
+    """Solve a scene: a path, YAML text (text with a line break), or a dict of its sections.
 
+    `settings` replace values of givens, `{"m": "2 kg"}`; numbers are understood where the scene declares a unit of SI. Functions of time
+    are evaluated `at` a time such as "2 s".
     A question without an answer takes no other with it: its reason is in `refused` of the solution. With `confirm` an assembly of all
     bodies' equations is held against the answers, and what it contradicts is refused. Raises SceneError for a scene that can't be read,
     Unsolvable for one in which nothing has an answer.

@@ -11,12 +11,11 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.algebra.tape import BITS, Operation, Tape
-from rotsolve.core.faults import RotsolveError, missing_package
+from rotsolve.core.faults import RotsolveError
 from rotsolve.core.symbols import TIME
 
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
-    from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Given
 
 
@@ -48,23 +47,6 @@ def program(formulas: Iterable[Formula], inputs: Iterable[str], known: Mapping[s
     with Precision(BITS):
         results = [place(formula) for formula in formulas]
     return Program(tape.operations, results)
-
-
-def answers_as_decided(
-    answers: tuple[Answer, ...], givens: tuple[Given, ...], valid: Validity, values: Mapping[str, Any], certified: bool
-) -> dict[str, Any]:
-    """The answers by name, in their units; arrays of values with arrays of errors where `certified`."""
-    try:
-        from rotsolve.arrays.balls import ball_results
-        from rotsolve.arrays.floats import float_results
-    except ModuleNotFoundError:
-        raise missing_package("arrays take", "NumPy", "arrays") from None
-    known = checked(givens, valid.positive, values)
-    forms = {name: in_its_unit(answer) for name, answer in single_answers(answers)}
-    bounds = [*valid.bounds, *valid.sides, *(limit for limit in valid.limits if limit.symbols() <= values.keys())]
-    work = program([*forms.values(), *bounds], values, known)
-    found = (ball_results if certified else float_results)(work, values, len(bounds))
-    return dict(zip(forms, found, strict=True))
 
 
 def single_answers(answers: Iterable[Answer]) -> Iterator[tuple[str, Answer]]:

@@ -28,7 +28,10 @@ if TYPE_CHECKING:
     from rotsolve.solution import Resolved, Solution
 
 UNSURE = 1000  # signs that floats do not tell, which are worked out one by one
-SHIFT, FAR = 1e-11, 0.5  # by what inputs are shifted to see whether a sign is sure, and the part of a number that may change then
+SHIFT, FAR = (
+    1e-11,
+    0.5,
+)  # by what inputs are shifted to see whether a sign is sure, and the part of a number that may change then
 ALIKE, NOTHING = 1e-7, 1e-12  # floats may lose half of their digits
 Row = dict[str, float]
 Resolving = Callable[[Row], "Resolved"]
@@ -124,7 +127,8 @@ def alike(case: Case, given: Columns, rows: Any) -> Any:
     found, unsure = np.ones(len(places), dtype=bool), UNSURE if signs else 0
     for (item, sign), values, others in zip(signs.items(), *read_signs(signs, columns, given.known), strict=True):
         finite = np.isfinite(values)
-        sure = np.where(finite, np.abs(others - values) <= FAR * np.abs(values), ~np.isfinite(others))
+        with np.errstate(invalid="ignore"):
+            sure = np.where(finite, np.abs(others - values) <= FAR * np.abs(values), ~np.isfinite(others))
         here = ~finite if sign is None else finite & (np.sign(values) == sign)
         for number in np.flatnonzero(found & ~sure)[:unsure]:
             here[number] = SignOracle(given.values(int(places[number]))).by_numbers(item) == sign

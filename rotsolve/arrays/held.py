@@ -1,11 +1,11 @@
-"""Held: of the sets that are of one case those with the smallest and largest values and some between, held against the assembly of all bodies."""
+"""Held: of the sets of one case those with the smallest and largest values and some between, held against the assembly of all bodies."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from msgspec.structs import replace

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from functools import partial, reduce
+from operator import and_
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,8 +13,10 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.algebra.units.dimension import base_unit_text
-from rotsolve.arrays import NotForMany, checked, single_answers
+from rotsolve.arrays import NotForMany, checked, in_its_unit, program, single_answers
+from rotsolve.arrays.balls import ball_results
 from rotsolve.arrays.cases import Case, Columns, Resolving, Row, alike, case_at, numbers_of, own_number, says_the_same
+from rotsolve.arrays.floats import float_results
 from rotsolve.arrays.held import contradicted, made_complete
 from rotsolve.core.symbols import TIME
 from rotsolve.motion.limits import limits_of_scene
@@ -22,8 +25,11 @@ if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
     from rotsolve.solution import Resolved, Solution
 
+OTHERWISE = "what the closed form needs does not hold for these numbers"
 MOST = 100  # sets that are solved for one call
-TOO_MANY = f"not worked out: {MOST} sets that differ in what decides were solved before it; ask for it in a call of its own"
+TOO_MANY = (
+    f"not worked out: {MOST} sets that differ in what decides were solved before it; ask for it in a call of its own"
+)
 Contradicting = Callable[[Case, Columns, Any], bool]
 
 
@@ -41,7 +47,7 @@ class ManyAnswers(dict[str, Any]):
     @property
     def valid(self) -> Any:
         """Which sets have all their answers."""
-        return np.logical_and.reduce([reasons == "" for reasons in self.reasons.values()])
+        return reduce(and_, [reasons == "" for reasons in self.reasons.values()])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (dict(self), self.reasons, self.units)
@@ -141,9 +147,6 @@ class Sets(Struct):
 
     def result(self, shape: tuple[int, ...]) -> ManyAnswers:
         """All answers, as arrays of a shape."""
-        if not self.numbers:
-            reason = next((text for texts in self.reasons.values() for text in texts), "")
-            raise NotForMany(f"none of the sets has an answer{f': {reason}' if reason else ''}")
         found: dict[str, Any] = {}
         for name in self.units:
             nothing = (np.full(self.given.size, math.nan), np.full(self.given.size, math.inf))
@@ -153,10 +156,35 @@ class Sets(Struct):
         return ManyAnswers(found, reasons, {name: unit.text if unit else "" for name, unit in self.units.items()})
 
 
-def answers_of_sets(
-    solution: Solution, values: Mapping[str, Any], cases: list[Case], certified: bool
-) -> ManyAnswers:
-    """The answers to all sets of values, by the cases that are known and by others, which are entered there."""
+def answers_of_sets(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:
+    """The answers to all sets of values; NotForMany where none has one. Of arrays of dask they are such arrays, made piece by piece."""
+    if any(type(item).__module__.startswith("dask.") for item in values.values()):
+        from rotsolve.arrays.lazy import lazy_answers
+
+        return lazy_answers(solution, values, certified)
+    found = worked_out(solution, values, certified)
+    if found.reasons and not any((reasons == "").any() for reasons in found.reasons.values()):
+        reason = next((text for texts in found.reasons.values() for text in texts.reshape(-1)), "no set is given")
+        raise NotForMany(f"none of the sets has an answer: {reason}")
+    return found
+
+
+def answers_as_decided(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:
+    """The closed forms of a solution for all sets, NaN where a string would go slack, a contact open, or a sign be another."""
+    assert solution.trace.validity is not None
+    answers, valid = dict(single_answers(solution.derivation.answers)), solution.trace.validity()
+    known = checked(solution.problem.givens, valid.positive, values)
+    forms = [in_its_unit(answer) for answer in answers.values()]
+    bounds = [*valid.bounds, *valid.sides, *(limit for limit in valid.limits if limit.symbols() <= values.keys())]
+    work = program([*forms, *bounds], values, known)
+    found = dict(zip(answers, (ball_results if certified else float_results)(work, values, len(bounds)), strict=True))
+    numbers = {name: result[0] if certified else result for name, result in found.items()}
+    reasons = {name: np.where(np.isnan(result), OTHERWISE, "").astype(object) for name, result in numbers.items()}
+    return ManyAnswers(found, reasons, {name: one.unit.text if one.unit else "" for name, one in answers.items()})
+
+
+def worked_out(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:
+    """The answers by the cases that the solution remembers, and by others, which are entered there."""
     problem = solution.problem
     known = checked(problem.givens, (), values)
     inputs = {name: np.asarray(column, dtype=np.float64) for name, column in values.items()}
@@ -167,8 +195,10 @@ def answers_of_sets(
     whole = made_complete(problem)
     limits = [limit.gap for limit in limits_of_scene(whole)]
     units = {name: answer.unit for name, answer in single_answers(solution.derivation.answers)}
-    sets = Sets(given, partial(resolved, solution), limits, partial(contradicted, problem=whole.problem), units, certified)
-    sets.answer(cases)
+    sets = Sets(
+        given, partial(resolved, solution), limits, partial(contradicted, problem=whole.problem), units, certified
+    )
+    sets.answer(solution.cases.setdefault(frozenset(values), []))
     return sets.result(shape)
 
 

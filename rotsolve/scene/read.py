@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterator, Mapping
+from decimal import Decimal
+from fractions import Fraction
 from functools import partial
+from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
@@ -20,7 +24,7 @@ from rotsolve.language.words import quoted
 from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
-from rotsolve.scene.givens import read_givens
+from rotsolve.scene.givens import read_givens, settings_in_text
 from rotsolve.scene.in_space import in_plane_only, in_space_only
 from rotsolve.scene.literals import Want
 from rotsolve.scene.phrases import read_find
@@ -34,15 +38,56 @@ if TYPE_CHECKING:
     from rotsolve.language.marks import Marking
     from rotsolve.language.problem import Variation
 
+Source = str | os.PathLike[str] | Mapping[str, Any] | Problem  # what says a scene
 
-def read_source(source: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
-    """The problem in a file, or in YAML text: a text has a line break, a path has none."""
+
+def read_source(source: Source, settings: Mapping[str, object] | None = None) -> Problem:
+    """The problem in a file, in YAML text (a text has a line break, a path has none), in a dict of its sections; or one that has been read.
+
+    `settings` replace values of givens: texts such as "2 kg", or numbers where the unit in the scene is one of SI.
+    """
+    if isinstance(source, Problem):
+        told = {**dict(source.settings), **(settings or {})}
+        return read_text("\n".join(source.lines), source.file, told) if settings else source
+    if isinstance(source, Mapping):
+        return read_text(written_yaml(source), "<dict>", settings)
     if isinstance(source, str) and "\n" in source:
         return read_text(source, settings=settings)
     return read_file(source, settings=settings)
 
 
-def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
+def written_yaml(sections: Mapping[str, Any]) -> str:
+    """A dict as YAML text; faults of a scene, or of answers, show lines of this text."""
+    from yaml import SafeDumper, YAMLError, dump
+
+    class Writer(SafeDumper):  # type: ignore[misc]
+        """Writes what stands in several places wherever it stands."""
+
+        def ignore_aliases(self, data: object) -> bool:
+            return True
+
+    try:
+        return str(dump(plain_values(sections), Dumper=Writer, sort_keys=False, allow_unicode=True, width=math.inf))
+    except (YAMLError, RecursionError) as error:
+        kind = type(error.args[-1]).__name__ if isinstance(error, YAMLError) else ""
+        message = f"this dict holds a value of the kind `{kind}`" if kind else "this dict holds itself"
+        raise unreadable(message, "it may hold texts, numbers, lists and dicts", "<dict>", "form") from None
+
+
+def plain_values(value: Any) -> Any:
+    """Dicts, lists and numbers of any kind as those that YAML writes."""
+    if isinstance(value, Mapping):
+        return {key: plain_values(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain_values(item) for item in value]
+    if isinstance(value, (Fraction, Decimal)):
+        return str(value)
+    if isinstance(value, Real) and not isinstance(value, bool):
+        return int(value) if isinstance(value, Integral) else float(value)
+    return value
+
+
+def read_file(path: str | os.PathLike[str], settings: Mapping[str, object] | None = None) -> Problem:
     """The problem in a file; its size is checked before it is read."""
     name = os.fspath(path)
     try:
@@ -74,7 +119,7 @@ def unreadable(message: str, help: str, name: str, kind: str = "file") -> SceneE
     return SceneError([Fault(message, None, help, kind)], (), name)
 
 
-def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
+def read_text(text: str, file: str = "<text>", settings: Mapping[str, object] | None = None) -> Problem:
     """The problem in a text. Raises SceneError with all faults."""
     if len(text) > BYTES:
         raise too_large(len(text), file)
@@ -95,7 +140,7 @@ def is_control(code: int) -> bool:
 
 
 def read_tree(
-    root: Node, lines: tuple[str, ...], file: str = "<text>", settings: Mapping[str, str] | None = None
+    root: Node, lines: tuple[str, ...], file: str = "<text>", settings: Mapping[str, object] | None = None
 ) -> Problem:
     """The problem in the tree of a text."""
     scope = Scope()
@@ -125,9 +170,9 @@ Entries = dict[str, tuple[Text, Node]]
 class Sections:
     """Reads the sections in the order in which they lean on each other."""
 
-    def __init__(self, scope: Scope, root: Node, settings: Mapping[str, str]) -> None:
+    def __init__(self, scope: Scope, root: Node, settings: Mapping[str, object]) -> None:
         self.scope = scope
-        self.settings = settings
+        self.settings: Mapping[str, object] = settings
         self.written = {key.value for key, _ in root.entries} if isinstance(root, Map) else set()
         self.top: Entries = scope.entries(root, "a scene", SECTIONS) if isinstance(root, Map) else {}
         if not isinstance(root, Map):
@@ -211,7 +256,7 @@ class Sections:
         fields["answers"] = self.answers(asked)
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
-        settings = tuple(self.settings.items())
+        settings = tuple(self.texts.items())
         problem = Problem(file=file, lines=lines, givens=self.all_givens(), settings=settings, **fields)
         if not scope.space:
             return problem
@@ -230,7 +275,8 @@ class Sections:
 
     def givens(self) -> None:
         scope = self.scope
-        read_givens(scope, self.node("given"), self.settings)
+        self.texts = settings_in_text(scope, self.node("given"), self.settings)
+        read_givens(scope, self.node("given"), self.texts)
         for name in scope.names("given"):
             if name not in scope.givens:
                 scope.givens[name] = Given(name, None, None, asked=True, text="unknown", span=scope.places[name])

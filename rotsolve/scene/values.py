@@ -325,6 +325,11 @@ def read_seconds(text: str) -> float:
     return seconds
 
 
+def read_time_of(text: str) -> float:
+    """A moment in seconds, of which 0 is the first. Raises ValueError for what is no time."""
+    return evaluate(read_time(text).value, {}, digits=17).float
+
+
 def parsed_time(written: str, text: str, example: str) -> UnitValue:
     """The time that is written in a text; a ValueError shows an example."""
     try:

@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.notation.letters import name_to_text
-from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, Section
+from rotsolve.core.derivation import AnswerConfirmation, Check, Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Fault, Unsolvable, missing_package
 from rotsolve.language.words import hint
@@ -26,6 +26,8 @@ from rotsolve.solution.answer import AnswerView
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
+    from rotsolve.arrays.cases import Case
+    from rotsolve.arrays.many import ManyAnswers
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Problem
@@ -74,7 +76,8 @@ def trace_again(again: Callable[[], Solution], late: Iterable[str], kept: Mappin
             found.append(again().trace)
         return getattr(found[0], name)(*given)
 
-    return Trace(**kept, **{name: partial(stage, name) for name in late})
+    made: dict[str, Any] = {**kept, **{name: partial(stage, name) for name in late}}
+    return Trace(**made)
 
 
 class Resolved(Struct, frozen=True):
@@ -147,7 +150,9 @@ class Solution(Struct, frozen=True, dict=True, eq=False):
         from rotsolve.motion.positive import positive_letters
         from rotsolve.solution.symbols import Symbols
 
-        made = (part.closed or part.formula for answer in self.derivation.answers for part in (answer, *answer.components))
+        made = (
+            part.closed or part.formula for answer in self.derivation.answers for part in (answer, *answer.components)
+        )
         letters = (name for form in made if form is not None for name in sorted(form.symbols()))
         names = dict.fromkeys((*(given.name for given in self.problem.givens), *letters))
         return Symbols(names, positive_letters(self.problem.givens))
@@ -169,6 +174,9 @@ class Solution(Struct, frozen=True, dict=True, eq=False):
 
     def __deepcopy__(self, _: Any) -> Solution:
         return self
+
+    def __dask_tokenize__(self) -> tuple[Any, ...]:
+        return "rotsolve", self.problem.lines, self.problem.settings, self.digits, tuple(map(str, self.values()))
 
     @cached_property
     def refused(self) -> Mapping[str, Unsolvable]:
@@ -218,28 +226,28 @@ class Solution(Struct, frozen=True, dict=True, eq=False):
 
     def evaluate_many(
         self, values: Mapping[str, Any], *, certified: bool = False, as_decided: bool = False
-    ) -> dict[str, Any]:
+    ) -> ManyAnswers:
         """The answers for many sets of givens at once, by NumPy: `values` are numbers or arrays in SI units, by the givens' names.
 
-        Givens that are left out keep their values. Each set gets what solving the scene for it gives: the arrays, by the answers' names and in
-        their units, hold NaN where that is no number, and `reasons` of what comes back says why. `certified` gives pairs of arrays, values
-        and bounds on their errors. `as_decided` takes the closed forms of this solution for all sets, without a look at what its numbers
-        have decided. Raises NotForMany where no set has an answer, or a name is that of no given.
+        Givens that are left out keep their values. Each set gets what solving the scene for it gives: the arrays, by the answers' names
+        and in their units, hold NaN where that is no number, and `reasons` of what comes back says why. `certified` gives pairs of arrays,
+        values and bounds on their errors. Arrays of dask give arrays of dask. `as_decided` takes the closed forms of this solution for all
+        sets, without a look at what its numbers have decided. Raises NotForMany where no set has an answer, or a name is that of no given.
         """
-        from rotsolve.arrays import NotForMany, answers_as_decided
+        from rotsolve.arrays import NotForMany
 
-        if as_decided and self.trace.validity is not None:
-            return answers_as_decided(
-                self.derivation.answers, self.problem.givens, self.trace.validity(), values, certified
-            )
-        if self.trace.anew is None:
+        if self.trace.anew is None or self.trace.validity is None:
             raise NotForMany("how the answers were found is not known: solve the scene again")
         try:
-            from rotsolve.arrays.many import answers_of_sets
+            from rotsolve.arrays.many import answers_as_decided, answers_of_sets
         except ModuleNotFoundError:
             raise missing_package("arrays take", "NumPy", "arrays") from None
-        cases = self.__dict__.setdefault("cases", {}).setdefault(frozenset(values), [])
-        return answers_of_sets(self, values, cases, certified)
+        return (answers_as_decided if as_decided else answers_of_sets)(self, values, certified)
+
+    @cached_property
+    def cases(self) -> dict[frozenset[str], list[Case]]:
+        """What has been solved for sets of other values, by the names of these."""
+        return {}
 
     @property
     def by_cases(self) -> bool:

@@ -185,7 +185,14 @@ class AnswerView(Struct, frozen=True, eq=False):
     def _said(self) -> tuple[Any, ...]:
         """All that it says."""
         told = self.answer
-        return str(self), told.name, told.formula, told.conditions, told.unit, tuple(item._said for item in self.otherwise)
+        return (
+            str(self),
+            told.name,
+            told.formula,
+            told.conditions,
+            told.unit,
+            tuple(item._said for item in self.otherwise),
+        )
 
     def __deepcopy__(self, _: Any) -> AnswerView:
         return self

@@ -11,8 +11,8 @@ from rotsolve.language.words import hint
 class Symbols(Mapping[str, Any]):
     """SymPy's symbols by the names of letters: `symbols["m"]`, or `symbols.m`.
 
-    They are those of `sympy.Symbol("m")`, about which nothing is assumed. `assumed` are others of the same names, real or positive as the scene
-    has it: put them in by `answer.subs(symbols.assumed)`.
+    They are those of `sympy.Symbol("m")`, about which nothing is assumed. `assumed` are others of the same names, real or positive as
+    the scene has it: put them in by `answer.subs(symbols.assumed)`.
     """
 
     def __init__(self, names: Collection[str], positive: Collection[str]) -> None:

@@ -200,7 +200,7 @@ def single_text(name: str, node: Node, faults: list[Fault]) -> str:
     return ""
 
 
-def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_PARTS) -> Paper:
+def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_PARTS, file: str = "--answer") -> Paper:
     """The answers of the command line, each `a = …`, or the text alone where one thing is asked."""
     answers: dict[str, str] = {}
     faults: list[Fault] = []
@@ -217,7 +217,7 @@ def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_P
             faults.append(unnamed_fault(text, said[0] if said else "", number, asked))
     given = as_whole_vectors({name: text for name, text in answers.items() if text}, asked, parts)
     if faults or not given:
-        raise HandedInError(faults or [no_answer_fault(asked, "=")], texts, "--answer")
+        raise HandedInError(faults or [no_answer_fault(asked, "=")], texts, file)
     return Paper("", given)
 
 
