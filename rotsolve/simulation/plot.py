@@ -19,6 +19,7 @@ RATES = ("velocity", "angular_velocity")
 MOST_MARKS = 12  # events that are named; of more only the lines are drawn
 COLOURS = ("#0b6e99", "#d1495b", "#5b8c3a", "#8d5a97", "#e08e1b", "#4a4e69")
 STYLES = {"x": "-", "y": "--", "z": ":"}
+UNSAID = ("Creator", "Date", "Format", "Type")  # that an SVG would say of itself
 INK, FAINT = "#2b2d33", "#d9dbe0"
 WIDE, TALL = 10.0, 1.9  # inches of the picture, and of a panel of few curves
 LETTERS, LINE = 8.5, 0.17  # points of a name, and inches from one to the next
@@ -69,7 +70,7 @@ def write_figure(figure: Any, target: str | os.PathLike[str] | StringIO, kind: s
 
     plain = kind == "svg" or (kind is None and str(target).lower().endswith(".svg"))
     with rc_context({"svg.hashsalt": "rotsolve", "svg.fonttype": "none"}):
-        figure.savefig(target, dpi=150, format=kind, metadata={"Date": None} if plain else {})
+        figure.savefig(target, dpi=150, format=kind, metadata=dict.fromkeys(UNSAID) if plain else {})
 
 
 def draw_curves(run: Run, panels: dict[str, list[str]], axes: Any, heights: Sequence[float]) -> None:
