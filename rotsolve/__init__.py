@@ -15,8 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from rotsolve.arrays import NotForMany
-    from rotsolve.arrays.many import ManyAnswers
+    from rotsolve.arrays import ManyAnswers, NotForMany
     from rotsolve.core.faults import (
         Contradicted,
         Fault,
@@ -41,8 +40,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {  # the modules that define public names, which are their own there, or other ones
-    "rotsolve.arrays": {"NotForMany": ""},
-    "rotsolve.arrays.many": {"ManyAnswers": ""},
+    "rotsolve.arrays": {"ManyAnswers": "", "NotForMany": ""},
     "rotsolve.core.faults": dict.fromkeys(
         (
             "Contradicted",

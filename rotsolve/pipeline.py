@@ -98,14 +98,16 @@ def solved_anew(
     with witnessed() as witness:
         try:
             own = with_other_values(problem, settings)
-            solution = refused_fairly(own, law, digits, moment or at)
+            found, why = refused_fairly(own, law, digits, moment or at), ""
         except (SceneError, Unsolvable) as error:
-            return Resolved(None, error.message, tuple(witness.asked), witness.by_size)
+            found, why = None, error.message
+        except ArithmeticError as error:
+            found, why = None, f"it can't be worked out with these numbers: {error}"
     try:
-        solution = held_against_assembly(solution, own)
+        found = None if found is None else held_against_assembly(found, own)
     except Unsolvable as error:
-        return Resolved(None, error.message, tuple(witness.asked), witness.by_size)
-    return Resolved(solution, "", tuple(witness.asked), witness.by_size)
+        found, why = None, error.message
+    return Resolved(found, why, tuple(witness.asked), witness.by_size)
 
 
 def with_other_values(problem: Problem, settings: Mapping[str, str]) -> Problem:

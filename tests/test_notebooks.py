@@ -12,13 +12,17 @@ from nbclient import NotebookClient
 
 BOOKS = sorted((Path(__file__).resolve().parent.parent / "docs" / "notebooks").glob("*.ipynb"))
 DRAWN = ("image/png", "image/svg+xml")  # curves, of which the bytes are matplotlib's
-OF_A_MACHINE = re.compile(r"/home/|/tmp/|/root|/Users/|site-packages|[A-Z]:\\\\|https?://(?!www\.w3\.org/)|<script|0x[0-9a-f]{6,}")
+OF_A_MACHINE = re.compile(
+    r"/home/|/tmp/|/root|/Users/|site-packages|[A-Z]:\\\\|https?://(?!www\.w3\.org/)|<script|0x[0-9a-f]{6,}"
+)
 
 
 def executed(book: Any, folder: Path) -> Any:
     """The notebook after a run in a new kernel, without what is of this run alone."""
     made = nbformat.from_dict(book)
-    NotebookClient(made, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(folder)}}, record_timing=False).execute()
+    NotebookClient(
+        made, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(folder)}}, record_timing=False
+    ).execute()
     made.metadata["language_info"] = {"name": "python"}
     return made
 

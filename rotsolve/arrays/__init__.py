@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import reduce
+from operator import and_
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
@@ -21,6 +23,26 @@ if TYPE_CHECKING:
 
 class NotForMany(RotsolveError, ValueError):
     """Answers that are not to be had for other givens without solving the scene again; says why in words."""
+
+
+class ManyAnswers(dict[str, Any]):
+    """Arrays by the names of the answers, NaN where a set has no number; `reasons` says why, '' where there is one.
+
+    A choice has words, '' where it has none. `units` are those of the arrays. It is a dict, of which `pandas.DataFrame(…)` makes a table.
+    """
+
+    def __init__(self, found: Mapping[str, Any], reasons: Mapping[str, Any], units: Mapping[str, str]) -> None:
+        super().__init__(found)
+        self.reasons = dict(reasons)
+        self.units = dict(units)
+
+    @property
+    def valid(self) -> Any:
+        """Which sets have all their answers."""
+        return reduce(and_, [reasons == "" for reasons in self.reasons.values()])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self), self.reasons, self.units)
 
 
 class Program(Struct, frozen=True):

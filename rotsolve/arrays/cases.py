@@ -16,7 +16,7 @@ from msgspec import Struct
 from rotsolve.algebra.certified.ball import Certified, multiple_of
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ONE, Formula, Number
+from rotsolve.algebra.formula import ONE, Formula, Integral, Number
 from rotsolve.arrays import NotForMany, program, single_answers
 from rotsolve.arrays.balls import ball_results, nearest_double
 from rotsolve.arrays.floats import float_results
@@ -37,7 +37,7 @@ Row = dict[str, float]
 Resolving = Callable[[Row], "Resolved"]
 
 
-class Columns(Struct):
+class GivenSets(Struct):
     """The values of some givens set by set, those of the others, and the letters that have none."""
 
     size: int
@@ -63,12 +63,13 @@ class Columns(Struct):
         return rows
 
 
-class Case(Struct):
+class SetCase(Struct):
     """What one set of givens got, in SI units: numbers or words and their closed forms, else `reasons`, by the answers' names.
 
-    Where the whole set has no answer `why` says why. Where it is `general`, sets with the same `signs` get the same.
+    Where the whole set has no answer `why` says why. Where it is `general`, sets with the same `signs` get the same. `at` tells the set.
     """
 
+    at: str
     why: str
     signs: dict[Formula, int | None]
     general: bool
@@ -79,11 +80,11 @@ class Case(Struct):
     solution: Solution | None = None
 
     def reason(self, name: str) -> str:
-        """Why an answer has no number; '' where it has one."""
+        """Why an answer of the set that was solved has no number; '' where it has one."""
         return "" if name in self.numbers else self.why or self.reasons.get(name, "these numbers have no such answer")
 
 
-def case_at(solve: Resolving, given: Columns, place: int, limits: Iterable[Formula]) -> Case:
+def case_of_set(solve: Resolving, given: GivenSets, place: int, limits: Iterable[Formula]) -> SetCase:
     """The scene solved for one set, with the signs on which it hangs what that gives."""
     found = solve(given.row(place))
     letters = given.known.keys() | given.columns.keys()
@@ -91,7 +92,8 @@ def case_at(solve: Resolving, given: Columns, place: int, limits: Iterable[Formu
     asked = [item for item in dict.fromkeys((*found.asked, *limits)) if not item.symbols().isdisjoint(given.columns)]
     signs = {item: oracle.by_numbers(item) for item in asked if item.symbols() <= letters}
     told = not found.by_size and all(item.symbols().isdisjoint(given.open) for item in found.asked)
-    case = Case(found.why, signs, told, solution=found.solution)
+    at = ", ".join(f"{name} = {size:.4g}" for name, size in given.row(place).items())
+    case = SetCase(at, found.why, signs, told, solution=found.solution)
     if found.solution is None:
         return case
     derivation = found.solution.derivation
@@ -103,7 +105,7 @@ def case_at(solve: Resolving, given: Columns, place: int, limits: Iterable[Formu
     return case
 
 
-def enter(case: Case, name: str, answer: Answer, letters: Collection[str]) -> None:
+def enter(case: SetCase, name: str, answer: Answer, letters: Collection[str]) -> None:
     """Enter an answer, with its closed form where that is one in the givens."""
     closed = answer.closed if answer.closed is not None and answer.closed.symbols() <= set(letters) else None
     case.units[name] = answer.unit
@@ -114,15 +116,15 @@ def enter(case: Case, name: str, answer: Answer, letters: Collection[str]) -> No
         case.reasons[name] = f"`{missing[0]}` has no value" if missing else "it has no value for these numbers"
     else:
         case.numbers[name] = answer.value if answer.unit is None else multiple_of(answer.value, answer.unit.factor)
-        if closed is None or answer.conditions:
+        if closed is None or answer.conditions or closed.holds(Integral):
             case.general = False
         else:
             case.forms[name] = closed
 
 
-def alike(case: Case, given: Columns, rows: Any) -> Any:
+def sets_like(case: SetCase, given: GivenSets, rows: Any) -> Any:
     """Which sets among some have the signs on which a case hangs."""
-    signs = {item: sign for item, sign in case.signs.items() if not (sign == 0 and vanishes(item))}
+    signs = {item: sign for item, sign in case.signs.items() if not (sign == 0 and nothing_whatever(item))}
     columns, places = given.part(rows), np.flatnonzero(rows)
     found, unsure = np.ones(len(places), dtype=bool), UNSURE if signs else 0
     for (item, sign), values, others in zip(signs.items(), *read_signs(signs, columns, given.known), strict=True):
@@ -146,7 +148,7 @@ def read_signs(signs: Collection[Formula], columns: Mapping[str, Any], known: Ma
     return float_results(work, columns, 0), float_results(work, shifted, 0)
 
 
-def vanishes(item: Formula) -> bool:
+def nothing_whatever(item: Formula) -> bool:
     """Whether a formula is nothing whatever its letters are."""
     try:
         return is_zero(item)
@@ -154,7 +156,7 @@ def vanishes(item: Formula) -> bool:
         return False
 
 
-def numbers_of(form: Formula, given: Columns, rows: Any, certified: bool) -> tuple[Any, ...]:
+def form_numbers(form: Formula, given: GivenSets, rows: Any, certified: bool) -> tuple[Any, ...]:
     """The numbers of a formula for some sets; with bounds on their errors where `certified`."""
     columns = given.part(rows)
     work = program([form], columns, given.known)
@@ -166,12 +168,12 @@ def numbers_of(form: Formula, given: Columns, rows: Any, certified: bool) -> tup
         return ball_results(work, columns, 0)[0][:1]
 
 
-def own_number(number: Certified, unit: Unit | None) -> tuple[float, float]:
+def number_in_unit_of(number: Certified, unit: Unit | None) -> tuple[float, float]:
     """The number of a set that was solved, in a unit, with a bound on its error."""
     return nearest_double((number if unit is None else multiple_of(number, ONE / unit.factor)).ball)
 
 
-def says_the_same(case: Case, other: Case, given: Columns, place: int) -> bool:
+def says_the_same(case: SetCase, other: SetCase, given: GivenSets, place: int) -> bool:
     """Whether a set that was solved by itself got what a case says of it."""
     if case.numbers.keys() != other.numbers.keys():
         return False
@@ -180,7 +182,7 @@ def says_the_same(case: Case, other: Case, given: Columns, place: int) -> bool:
             if number != case.numbers[name]:
                 return False
             continue
-        value = float(numbers_of(case.forms[name], given, given.only(place), False)[0][0])
+        value = float(form_numbers(case.forms[name], given, given.only(place), False)[0][0])
         if not math.isclose(value, number.float, rel_tol=ALIKE, abs_tol=NOTHING):
             return False
     return True

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Number
 from rotsolve.arrays import single_answers
-from rotsolve.arrays.cases import Case, Columns, numbers_of
+from rotsolve.arrays.cases import GivenSets, SetCase, form_numbers
 from rotsolve.confirm.course.samples import with_givens
 from rotsolve.confirm.verdicts import judged_numbers
 from rotsolve.core.symbols import TIME
@@ -23,14 +23,14 @@ from rotsolve.motion.configuration import Configuration
 LOOKS = 12  # sets beside those with the smallest and the largest value of a given
 
 
-def contradicted(case: Case, given: Columns, here: Any, problem: Problem) -> bool:
+def case_contradicted(case: SetCase, given: GivenSets, here: Any, problem: Problem) -> bool:
     """Whether the assembly contradicts what a case says of one of its sets; `problem` has letters for what the scene leaves out."""
     if TIME in given.columns or case.solution is None:
         return False
     places = np.flatnonzero(here)[rows_held(given.part(here))]
     chosen = np.zeros(given.size, dtype=bool)
     chosen[places] = True
-    found = {name: numbers_of(form, given, chosen, False)[0] for name, form in case.forms.items()}
+    found = {name: form_numbers(form, given, chosen, False)[0] for name, form in case.forms.items()}
     return any(
         contradicted_at(problem, case, given.row(int(place)), {name: float(one[k]) for name, one in found.items()})
         for k, place in enumerate(np.flatnonzero(chosen))
@@ -57,7 +57,7 @@ def rows_held(columns: Mapping[str, Any]) -> list[int]:
     return sorted(chosen | {round(part) for part in np.linspace(0, size - 1, min(size, LOOKS))})
 
 
-def contradicted_at(problem: Problem, case: Case, point: Mapping[str, float], said: Mapping[str, float]) -> bool:
+def contradicted_at(problem: Problem, case: SetCase, point: Mapping[str, float], said: Mapping[str, float]) -> bool:
     """Whether the assembly contradicts answers at one set of givens, both in SI units."""
     assert case.solution is not None
     set_ = {name: Number(Fraction(repr(size))) for name, size in point.items()}

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rotsolve.arrays import checked, single_answers
-from rotsolve.arrays.many import ManyAnswers, worked_out
+from rotsolve.arrays import ManyAnswers, checked, single_answers
+from rotsolve.arrays.many import worked_out_sets
 
 if TYPE_CHECKING:
     from rotsolve.solution import Solution
@@ -43,7 +43,7 @@ def lazy_answers(solution: Solution, values: Mapping[str, Any], certified: bool)
 def piece_answers(*columns: Any, names: tuple[str, ...], solution: Solution, certified: bool) -> ManyAnswers:
     """The answers for a piece of the sets."""
     with ALONE:
-        return worked_out(solution, dict(zip(names, columns, strict=True)), certified)
+        return worked_out_sets(solution, dict(zip(names, columns, strict=True)), certified)
 
 
 def part_of_piece(piece: ManyAnswers, name: str, place: int | None) -> Any:

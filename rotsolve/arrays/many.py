@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial, reduce
-from operator import and_
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,11 +12,21 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.algebra.units.dimension import base_unit_text
-from rotsolve.arrays import NotForMany, checked, in_its_unit, program, single_answers
+from rotsolve.arrays import ManyAnswers, NotForMany, checked, in_its_unit, program, single_answers
 from rotsolve.arrays.balls import ball_results
-from rotsolve.arrays.cases import Case, Columns, Resolving, Row, alike, case_at, numbers_of, own_number, says_the_same
+from rotsolve.arrays.cases import (
+    GivenSets,
+    Resolving,
+    Row,
+    SetCase,
+    case_of_set,
+    form_numbers,
+    number_in_unit_of,
+    says_the_same,
+    sets_like,
+)
 from rotsolve.arrays.floats import float_results
-from rotsolve.arrays.held import contradicted, made_complete
+from rotsolve.arrays.held import case_contradicted, made_complete
 from rotsolve.core.symbols import TIME
 from rotsolve.motion.limits import limits_of_scene
 
@@ -26,57 +35,39 @@ if TYPE_CHECKING:
     from rotsolve.solution import Resolved, Solution
 
 OTHERWISE = "what the closed form needs does not hold for these numbers"
+UNTOLD = "its number is beyond those of floats"
 MOST = 100  # sets that are solved for one call
 TOO_MANY = (
     f"not worked out: {MOST} sets that differ in what decides were solved before it; ask for it in a call of its own"
 )
-Contradicting = Callable[[Case, Columns, Any], bool]
-
-
-class ManyAnswers(dict[str, Any]):
-    """Arrays by the names of the answers, NaN where a set has no number; `reasons` says why, '' where there is one.
-
-    A choice has words, '' where it has none. `units` are those of the arrays. It is a dict, of which `pandas.DataFrame(…)` makes a table.
-    """
-
-    def __init__(self, found: Mapping[str, Any], reasons: Mapping[str, Any], units: Mapping[str, str]) -> None:
-        super().__init__(found)
-        self.reasons = dict(reasons)
-        self.units = dict(units)
-
-    @property
-    def valid(self) -> Any:
-        """Which sets have all their answers."""
-        return reduce(and_, [reasons == "" for reasons in self.reasons.values()])
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (dict(self), self.reasons, self.units)
+Contradicting = Callable[[SetCase, GivenSets, Any], bool]
 
 
 class Sets(Struct):
     """Sets of givens that are being answered: what solves one, what else decides, and what an assembly holds against them."""
 
-    given: Columns
+    given: GivenSets
     solve: Resolving
     limits: Sequence[Formula]
-    contradicted: Contradicting
+    case_contradicted: Contradicting
     units: dict[str, Unit | None]
     certified: bool
     numbers: dict[str, tuple[Any, ...]] = {}
     reasons: dict[str, Any] = {}
 
-    def answer(self, cases: list[Case]) -> None:
+    def answer(self, cases: list[SetCase]) -> None:
         """Answer all sets, by the `cases` that are known and by others, which are entered there."""
         left = self.entered()
         for case in cases:
-            left = self.spread(case, left, alike(case, self.given, left)) if left.any() else left
+            if left.any():
+                left &= ~self.spread(case, sets_like(case, self.given, left))
         for _ in range(MOST):
             if not left.any():
                 return
             first = int(np.argmax(left))
-            case = case_at(self.solve, self.given, first, self.limits)
+            case = case_of_set(self.solve, self.given, first, self.limits)
             here = self.like(case, left, first)
-            left = self.spread(case, left, here)
+            left &= ~self.spread(case, here, first)
             if case.general:
                 cases.append(case)
         for name in self.units:
@@ -94,31 +85,33 @@ class Sets(Struct):
             left &= ~none
         return left
 
-    def like(self, case: Case, left: Any, first: int) -> Any:
+    def like(self, case: SetCase, left: Any, first: int) -> Any:
         """The sets that are of a case; that of its own alone, where another that is solved too, or an assembly, says otherwise."""
         alone = self.given.only(first)
         try:
-            here = (alike(case, self.given, left) | alone) if case.general else alone
+            here = (sets_like(case, self.given, left) | alone) if case.general else alone
         except NotForMany:  # what decides has no form that could be evaluated
             here = alone
         others = np.flatnonzero(here & ~alone)
         if len(others):
-            probed = case_at(self.solve, self.given, int(others[-1]), self.limits)
+            probed = case_of_set(self.solve, self.given, int(others[-1]), self.limits)
             case.general = says_the_same(case, probed, self.given, int(others[-1]))
-            case.general = case.general and not self.contradicted(case, self.given, here)
+            case.general = case.general and not self.case_contradicted(case, self.given, here)
         elif case.general:
             case.general = False  # nothing has been seen of others
         return here if case.general else alone
 
-    def spread(self, case: Case, left: Any, here: Any) -> Any:
-        """Enter what a case says of its sets; what is left behind them."""
+    def spread(self, case: SetCase, here: Any, first: int | None = None) -> Any:
+        """Enter what a case says of its sets, the `first` of which was solved; these sets."""
         for name in dict.fromkeys((*self.units, *case.numbers, *case.reasons)):
             self.units.setdefault(name, case.units.get(name))
             reason = case.reason(name)
-            self.told(name)[here] = reason
+            self.told(name)[here] = reason and f"as for {case.at}: {reason}"
             if not reason:
                 self.enter(case, name, here)
-        return left & ~here
+            elif first is not None:
+                self.told(name)[first] = reason
+        return here
 
     def told(self, name: str) -> Any:
         """The reasons of an answer."""
@@ -126,7 +119,7 @@ class Sets(Struct):
             self.reasons[name] = np.full(self.given.size, "these numbers have no such answer", dtype=object)
         return self.reasons[name]
 
-    def enter(self, case: Case, name: str, here: Any) -> None:
+    def enter(self, case: SetCase, name: str, here: Any) -> None:
         """The numbers of a case in the unit of an answer."""
         number, unit = case.numbers[name], self.units[name]
         if isinstance(number, str):
@@ -136,14 +129,16 @@ class Sets(Struct):
             empty = (math.nan, math.inf) if self.certified else (math.nan,)
             form = case.forms.get(name)
             if case.general and form is not None:
-                values = numbers_of(form / (ONE if unit is None else unit.factor), self.given, here, self.certified)
+                values = form_numbers(form / (ONE if unit is None else unit.factor), self.given, here, self.certified)
             else:
-                values = own_number(number, unit)
+                values = number_in_unit_of(number, unit)
         if name not in self.numbers:
             kind: Any = object if isinstance(number, str) else np.float64
             self.numbers[name] = tuple(np.full(self.given.size, one, dtype=kind) for one in empty)
         for whole, part in zip(self.numbers[name], values, strict=False):
             whole[here] = part
+        if not isinstance(number, str):
+            self.told(name)[here & ~np.isfinite(self.numbers[name][0])] = UNTOLD
 
     def result(self, shape: tuple[int, ...]) -> ManyAnswers:
         """All answers, as arrays of a shape."""
@@ -162,7 +157,7 @@ def answers_of_sets(solution: Solution, values: Mapping[str, Any], certified: bo
         from rotsolve.arrays.lazy import lazy_answers
 
         return lazy_answers(solution, values, certified)
-    found = worked_out(solution, values, certified)
+    found = worked_out_sets(solution, values, certified)
     if found.reasons and not any((reasons == "").any() for reasons in found.reasons.values()):
         reason = next((text for texts in found.reasons.values() for text in texts.reshape(-1)), "no set is given")
         raise NotForMany(f"none of the sets has an answer: {reason}")
@@ -183,7 +178,7 @@ def answers_as_decided(solution: Solution, values: Mapping[str, Any], certified:
     return ManyAnswers(found, reasons, {name: one.unit.text if one.unit else "" for name, one in answers.items()})
 
 
-def worked_out(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:
+def worked_out_sets(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:
     """The answers by the cases that the solution remembers, and by others, which are entered there."""
     problem = solution.problem
     known = checked(problem.givens, (), values)
@@ -191,12 +186,12 @@ def worked_out(solution: Solution, values: Mapping[str, Any], certified: bool) -
     shape = np.broadcast_shapes(*(item.shape for item in inputs.values()))
     columns = {name: np.broadcast_to(item, shape).reshape(-1) for name, item in inputs.items()}
     open_ = [given.name for given in problem.givens if given.value is None and not given.asked]
-    given = Columns(math.prod(shape), columns, known, frozenset(open_) - columns.keys())
+    given = GivenSets(math.prod(shape), columns, known, frozenset(open_) - columns.keys())
     whole = made_complete(problem)
     limits = [limit.gap for limit in limits_of_scene(whole)]
     units = {name: answer.unit for name, answer in single_answers(solution.derivation.answers)}
     sets = Sets(
-        given, partial(resolved, solution), limits, partial(contradicted, problem=whole.problem), units, certified
+        given, partial(resolved, solution), limits, partial(case_contradicted, problem=whole.problem), units, certified
     )
     sets.answer(solution.cases.setdefault(frozenset(values), []))
     return sets.result(shape)

@@ -26,8 +26,7 @@ from rotsolve.solution.answer import AnswerView
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
-    from rotsolve.arrays.cases import Case
-    from rotsolve.arrays.many import ManyAnswers
+    from rotsolve.arrays import ManyAnswers
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Problem
@@ -245,7 +244,7 @@ class Solution(Struct, frozen=True, dict=True, eq=False):
         return (answers_as_decided if as_decided else answers_of_sets)(self, values, certified)
 
     @cached_property
-    def cases(self) -> dict[frozenset[str], list[Case]]:
+    def cases(self) -> dict[frozenset[str], list[Any]]:
         """What has been solved for sets of other values, by the names of these."""
         return {}
 

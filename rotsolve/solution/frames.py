@@ -26,7 +26,7 @@ def pandas() -> Any:
 
 def frame_of_answers(solution: Solution) -> Any:
     """A row for each answer, named as `evaluate_many` names them; a word stands under `exact`."""
-    rows = [(name, answer_cells(answer)) for view in solution.answers.values() for name, answer in single_views(view)]
+    rows = [(name, frame_cells(answer)) for view in solution.answers.values() for name, answer in single_views(view)]
     names = pandas().Index([name for name, _ in rows], name="answer")
     return pandas().DataFrame([cells for _, cells in rows], index=names, columns=list(COLUMNS))
 
@@ -39,6 +39,6 @@ def single_views(view: AnswerView) -> Iterator[tuple[str, AnswerView]]:
         yield view.name, view
 
 
-def answer_cells(view: AnswerView) -> tuple[Any, ...]:
+def frame_cells(view: AnswerView) -> tuple[Any, ...]:
     number = float("nan") if view.float is None else view.float
     return number, view.unit, view.exact or view.word, view.direction, ", ".join(view.conditions)
