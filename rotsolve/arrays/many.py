@@ -143,9 +143,10 @@ class Sets(Struct):
     def result(self, shape: tuple[int, ...]) -> ManyAnswers:
         """All answers, as arrays of a shape."""
         found: dict[str, Any] = {}
+        empty = (math.nan, math.inf)[: 1 + self.certified]
         for name in self.units:
-            nothing = (np.full(self.given.size, math.nan), np.full(self.given.size, math.inf))
-            parts = tuple(part.reshape(shape) for part in self.numbers.get(name, nothing[: 1 + self.certified]))
+            own = self.numbers.get(name) or tuple(np.full(self.given.size, one) for one in empty)
+            parts = tuple(part.reshape(shape) for part in own)
             found[name] = parts if self.certified and len(parts) > 1 else parts[0]
         reasons = {name: texts.reshape(shape) for name, texts in self.reasons.items()}
         return ManyAnswers(found, reasons, {name: unit.text if unit else "" for name, unit in self.units.items()})
