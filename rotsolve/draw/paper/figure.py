@@ -45,10 +45,12 @@ AXIS = InkRole("axis", 0.6, ink="faint", dash="7 2 1.5 2", layer=1)
 DIMENSION = InkRole("dimension", 0.5, ink="faint", layer=6)
 SENSE = InkRole("sense", 1.1, ink="sense", layer=7)
 FORCE = InkRole("force", 1.5, ink="force", layer=8)
+UNSURE = InkRole("unsure", 1.3, ink="force", dash="3.5 2", layer=8)  # a force of which nothing tells which way it acts
 PIN = InkRole("pin", 0.9, fill="paper", layer=6)
 SPIN = InkRole("spin", 1.3, ink="spin", layer=8)  # of velocities and angular velocities that are given
 ROLES = (
-    SURFACE, GROUND, HATCH, BEHIND, BODY, HOLE, THICK, GHOST, THIN, STRING, SOLID, SUPPORT, AXIS, DIMENSION, PIN, SENSE, FORCE, SPIN,
+    SURFACE, GROUND, HATCH, BEHIND, BODY, HOLE, THICK, GHOST, THIN, STRING, SOLID, SUPPORT, AXIS, DIMENSION, PIN, SENSE, FORCE,
+    UNSURE, SPIN,
 )  # fmt: skip
 
 

@@ -1,0 +1,55 @@
+"""Standing as found: how bodies stand at a state that does not tell it, by the answers of the scene."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Formula, Number, Symbol
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import Condition, Path, Problem, State
+
+if TYPE_CHECKING:
+    from rotsolve.search.acting import ActingWays
+
+ANGLE = "angle"
+
+
+def as_found(problem: Problem, state: str, scene: SceneEquations, ways: ActingWays | None) -> Problem:
+    """The scene for a stage: with the angles at a state and the letters that are asked for as the answers have them."""
+    if ways is None:
+        return problem
+    givens = []
+    for given in problem.givens:
+        size = ways.number(Symbol(given.name)) if given.asked and given.trial is None else None
+        givens.append(given if size is None else replace(given, trial=Number(Fraction(size))))
+    angles = tuple(angles_found(state, scene, ways))
+    states = [told_too(item, angles) if item.name == state else item for item in problem.states]
+    return replace(problem, givens=tuple(givens), states=tuple(states))
+
+
+def told_too(state: State, angles: tuple[Condition, ...]) -> State:
+    """A state that tells some angles more."""
+    return replace(state, conditions=(*state.conditions, *angles))
+
+
+def angles_found(state: str, scene: SceneEquations, ways: ActingWays) -> Iterator[Condition]:
+    """The angles on which it hangs where forces act at a state, and which way, as far as the answers tell them."""
+    quantities = scene.registry.quantities
+    for key in sorted(letters_of_places(state, scene)):
+        quantity = quantities.get(key)
+        if quantity is not None and quantity.kind == ANGLE and not quantity.component:
+            size = ways.number(Symbol(key))
+            if size is not None:
+                yield Condition(Path(quantity.owner, ANGLE), Number(Fraction(size)))
+
+
+def letters_of_places(state: str, scene: SceneEquations) -> set[str]:
+    """The letters of the directions and arms of all forces at a state."""
+    forces = [force for body in scene.facts(state).bodies for force in body.forces]
+    parts = [part for force in forces for vector in (force.direction, force.arm) for part in vector.parts]
+    formulas: list[Formula] = [part for size, heading in parts for part in (size, heading.formula())]
+    return {name for formula in formulas for name in formula.symbols()}
