@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.formula import Formula, call, negate
 from rotsolve.core.facts import BodyFacts, Couple, Force
@@ -36,7 +36,7 @@ ROUND, WIDER = 13.0, 7.0  # radius of the arrow of a couple, and how much larger
 START, SWEEP = -0.6, 3.9  # radians of a couple's arrow
 LONGEST = 16  # letters of a size; a longer one is called by its noun
 ACROSS_ALL, GAP = 470.0, 26.0  # width of a row of diagrams, and what is between two
-UNTOLD = "dashed: nothing tells which way it acts, and the arrow shows which way its letter counts"
+UNTOLD = ("dashed: nothing tells which way it acts;", "drawn the way its letter counts")
 
 
 def free_body_figures(known: SceneFacts) -> list[tuple[str, Figure]]:
@@ -209,7 +209,13 @@ def diagrams_in_rows(figures: Sequence[Figure], title: str, description: str) ->
         whole.labels += placed.labels
         x, deepest = x + right - left + GAP, min(deepest, top - (high - low))
     if any(mark.role is UNSURE for mark in whole.marks):
-        wide, high = width_of(UNTOLD, SIZE, True), HIGH * SIZE
-        at = wide / 2, deepest - GAP / 2
-        whole.labels.append(Label(UNTOLD, UNTOLD, at, box_at(at, wide, high), "faint"))
+        whole.labels += caption(UNTOLD, deepest - GAP / 2)
     return whole
+
+
+def caption(lines: Sequence[str], top: float) -> Iterator[Label]:
+    """Lines of words below a picture, from the left."""
+    for number, line in enumerate(lines):
+        wide, high = width_of(line, SIZE, True), HIGH * SIZE
+        at = wide / 2, top - (number + 0.5) * high
+        yield Label(line, prose(line).latex, at, box_at(at, wide, high), "faint")

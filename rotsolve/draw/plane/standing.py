@@ -20,24 +20,41 @@ ANGLE = "angle"
 
 def as_found(problem: Problem, state: str, scene: SceneEquations, ways: ActingWays | None) -> Problem:
     """The scene for a stage: with the angles at a state and the letters that are asked for as the answers have them."""
-    if ways is None:
-        return problem
     givens = []
     for given in problem.givens:
-        size = ways.number(Symbol(given.name)) if given.asked and given.trial is None else None
+        asked = ways is not None and given.asked and given.trial is None
+        size = ways.number(Symbol(given.name)) if ways is not None and asked else None
         givens.append(given if size is None else replace(given, trial=Number(Fraction(size))))
-    angles = tuple(angles_found(state, scene, ways))
+    angles = (*angles_kept(state, scene), *angles_found(state, scene, ways))
     states = [told_too(item, angles) if item.name == state else item for item in problem.states]
     return replace(problem, givens=tuple(givens), states=tuple(states))
 
 
 def told_too(state: State, angles: tuple[Condition, ...]) -> State:
     """A state that tells some angles more."""
-    return replace(state, conditions=(*state.conditions, *angles))
+    told = {line.path.owner for line in state.conditions if is_angle_told(line) and line.path is not None}
+    more = tuple(line for line in angles if line.path is not None and line.path.owner not in told)
+    return replace(state, conditions=(*state.conditions, *more))
 
 
-def angles_found(state: str, scene: SceneEquations, ways: ActingWays) -> Iterator[Condition]:
+def is_angle_told(line: Condition) -> bool:
+    """Whether a line of a state tells an angle."""
+    return line.path is not None and line.path.quantity == ANGLE and line.value is not None
+
+
+def angles_kept(state: str, scene: SceneEquations) -> Iterator[Condition]:
+    """The angles that the states before the events tell which have led to a state: nothing has turned in these."""
+    timeline = scene.configuration.timeline
+    before = timeline.before(state)
+    while before is not None and before.event is not None:
+        yield from filter(is_angle_told, timeline.state(before.start).conditions)
+        before = timeline.before(before.start)
+
+
+def angles_found(state: str, scene: SceneEquations, ways: ActingWays | None) -> Iterator[Condition]:
     """The angles on which it hangs where forces act at a state, and which way, as far as the answers tell them."""
+    if ways is None:
+        return
     quantities = scene.registry.quantities
     for key in sorted(letters_of_places(state, scene)):
         quantity = quantities.get(key)
