@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Number, Symbol
+from rotsolve.confirm.model import Model
+from rotsolve.draw.plane.places.numbers import numbers_for
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Condition, Path, Problem, State
 
@@ -43,11 +45,22 @@ def is_angle_told(line: Condition) -> bool:
 
 
 def angles_kept(state: str, scene: SceneEquations) -> Iterator[Condition]:
-    """The angles that the states before the events tell which have led to a state: nothing has turned in these."""
-    timeline = scene.configuration.timeline
-    before = timeline.before(state)
+    """The angles that the states before the events tell which have led to a state: nothing has turned in these, but what holds a body may
+    be another then, and so from where its angle is told."""
+    timeline, configuration = scene.configuration.timeline, scene.configuration
+    before, now = timeline.before(state), None
     while before is not None and before.event is not None:
-        yield from filter(is_angle_told, timeline.state(before.start).conditions)
+        then = None
+        for line in filter(is_angle_told, timeline.state(before.start).conditions):
+            if line.path is None or line.value is None:
+                continue
+            if line.path.owner not in configuration.bodies:
+                yield line
+                continue
+            then = then or Model(configuration.problem, numbers_for(configuration), before.start)
+            now = now or Model(configuration.problem, numbers_for(configuration), state)
+            other = now.lean(line.path.owner) - then.lean(line.path.owner)
+            yield replace(line, value=line.value + Number(Fraction(other))) if other else line
         before = timeline.before(before.start)
 
 

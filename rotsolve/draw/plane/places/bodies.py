@@ -9,6 +9,7 @@ from msgspec import Struct
 
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.model import Model
+from rotsolve.confirm.seating import turned_as_told
 from rotsolve.confirm.signs import normal, rests, surface_of
 from rotsolve.draw.paper.figure import Point, shifted_by
 from rotsolve.draw.plane.places.kinds import ConnectionKinds, curve_radius
@@ -100,13 +101,14 @@ def figured(
 ) -> dict[str, Figured]:
     """All bodies as they are drawn, turned as they stand."""
     found: dict[str, Figured] = {}
+    told = turned_as_told(model)
     for name, seat in model.seats.items():
         body = model.body(name)
         outlines = tuple(body_outlines(body, value))
         turn, block = q[seat.turn], False
         if not outlines:
             outlines, block = plain_outline(name, model, kinds, value, sizes, found)
-        tilt = lying_tilt(name, model, kinds)
+        tilt = None if name in told else lying_tilt(name, model, kinds)
         if tilt is not None and (block or not shape_of(body).slender):
             turn = turn + tilt
         found[name] = Figured(name, body, outlines, turn, block=block, seen=not is_rope(name, kinds))
