@@ -34,7 +34,7 @@ GROUND = InkRole("ground", 0.0, ink="", fill="ground", layer=0)
 HATCH = InkRole("hatch", 0.5, layer=0)
 BEHIND = InkRole("behind", 0.9, layer=2)  # a string where a body covers it
 BODY = InkRole("body", 1.1, fill="body", layer=3)
-HOLE = InkRole("hole", 0.9, fill="paper", layer=4)
+HOLE = InkRole("hole", 0.9, fill="paper", layer=3)  # just above its own body: what lies in it is drawn after it
 THICK = InkRole("thick", 3.4, layer=3)  # a rod
 GHOST = InkRole("ghost", 0.8, ink="faint", dash="4 2.5", layer=2)  # another state
 THIN = InkRole("thin", 0.6, layer=5)

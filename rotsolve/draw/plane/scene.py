@@ -14,6 +14,7 @@ from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc_points, shifted
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.freebody import couple_arrow, free_start
+from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.contacts import normal_sign
 from rotsolve.draw.plane.places.kinds import curve_radius
 from rotsolve.draw.plane.places.stage import PlaneStage
@@ -76,10 +77,9 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
     draw_surfaces(stage, sheet)
     draw_connections(stage, sheet)
     draw_ghosts(stage, sheet)
-    for body in stage.bodies.values():
-        if body.seen:
-            for outline in body.shown():
-                sheet.outline(outline)
+    for body in largest_first(stage):
+        for outline in body.shown():
+            sheet.outline(outline)
     draw_plane_actions(stage, sheet)
     draw_blows(stage, sheet)
     draw_angles(stage, sheet)
@@ -91,6 +91,11 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
     draw_senses(stage, sheet)
     draw_names(stage, sheet)
     return sheet.finished()
+
+
+def largest_first(stage: PlaneStage) -> list[Figured]:
+    """The bodies that are seen, so that none is hidden by one in which, or on which, it lies."""
+    return sorted((body for body in stage.bodies.values() if body.seen), key=lambda body: -max(spans(body.bound())))
 
 
 def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:

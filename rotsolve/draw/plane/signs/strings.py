@@ -195,6 +195,10 @@ def draw_spring(item: Spring, stage: PlaneStage, sheet: ScenePaper) -> None:
     elif second is None and first is not None:
         first = edge_of(item.spring[0], first, way, stage, sheet)
         second = spring_end(item, item.spring[1], first, way, stage, sheet)
+    elif first is not None and second is not None:
+        along = unit_of((second[0] - first[0], second[1] - first[1]))
+        first = edge_of(item.spring[0], first, along, stage, sheet)
+        second = edge_of(item.spring[1], second, (-along[0], -along[1]), stage, sheet)
     if first is None or second is None:
         return
     sheet.figure.line(coil(first, second), STRING)
@@ -225,8 +229,8 @@ def spring_place(ref: PointRef, stage: PlaneStage) -> Point | None:
 
 def edge_of(ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
     """Where a spring meets the outside of a block."""
-    body = stage.bodies[ref.owner]
-    return shifted_by(at, way, sheet.scale * edge_along(body, way)) if body.block else at
+    body = stage.bodies.get(ref.owner)
+    return shifted_by(at, way, sheet.scale * edge_along(body, way)) if body is not None and body.block else at
 
 
 def coil(first: Point, second: Point) -> list[Point]:
