@@ -132,7 +132,7 @@ def turned_back(fact: Force, action: Action) -> bool:
 
 def turn_shown(fact: Couple, action: Action, known: SceneFacts) -> int:
     """The turn of a couple, +1 counterclockwise; of one that is nothing at the state, such as a drag, that which it will have."""
-    if fact.torque == ZERO:
+    if abs(known.number(fact.torque)) == 0.0:
         later = known.scene.instant(known.stage.state, generic=True)
         fact = next((one for one in action.facts(later) if isinstance(one, Couple) and one.body == fact.body), fact)
     return 1 if known.number(fact.torque) >= 0.0 else -1

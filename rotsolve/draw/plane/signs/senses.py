@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 
@@ -21,7 +22,7 @@ from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Condition
 
 SENSE_ARC = 0.85  # radians of a round arrow
-CLEAR = 2.5  # points of room round an arrow
+CLEAR, STEPS = 1.5, 6  # points of room round an arrow; steps in which a straight one is looked at
 
 
 def draw_senses(stage: PlaneStage, sheet: ScenePaper) -> None:
@@ -75,7 +76,7 @@ def freest(courses: Sequence[list[Point]], body: Figured, stage: PlaneStage, she
     lines = [
         piece
         for mark in sheet.figure.marks
-        if mark.role.ink and mark.role is not HATCH
+        if mark.role.ink not in ("", "faint") and mark.role is not HATCH
         for piece in straight_pieces(mark)
     ]
     others = [
@@ -85,13 +86,28 @@ def freest(courses: Sequence[list[Point]], body: Figured, stage: PlaneStage, she
     ]
 
     def met(course: list[Point]) -> int:
-        xs, ys = [x for x, _ in course], [y for _, y in course]
-        room = min(xs) - CLEAR, min(ys) - CLEAR, max(xs) + CLEAR, max(ys) + CLEAR
-        return sum(crosses(piece, room) for piece in lines) + sum(
-            meet(box_corners(room), one) for one in others if len(one) > 2
+        """How many of its steps meet something."""
+        rooms = [around_step(one, other) for one, other in itertools.pairwise(in_steps(course))]
+        return sum(
+            any(crosses(piece, room) for piece in lines) or any(meet(box_corners(room), one) for one in others)
+            for room in rooms
         )
 
     return min(courses, key=met)
+
+
+def in_steps(course: list[Point]) -> list[Point]:
+    """A course in steps: a straight one in several."""
+    if len(course) > 2:
+        return course
+    (ax, ay), (bx, by) = course
+    return [(ax + (bx - ax) * k / STEPS, ay + (by - ay) * k / STEPS) for k in range(STEPS + 1)]
+
+
+def around_step(one: Point, other: Point) -> Box:
+    """The room of a step."""
+    (ax, ay), (bx, by) = one, other
+    return min(ax, bx) - CLEAR, min(ay, by) - CLEAR, max(ax, bx) + CLEAR, max(ay, by) + CLEAR
 
 
 def box_corners(box: Box) -> list[Point]:
