@@ -26,6 +26,7 @@ from rotsolve.draw.plane.signs.names import draw_names
 from rotsolve.draw.plane.signs.senses import draw_senses
 from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.draw.plane.signs.strings import edge_along
+from rotsolve.draw.plane.signs.struck import draw_struck
 from rotsolve.draw.plane.signs.ties import draw_connections
 from rotsolve.language.bodies import Surface
 from rotsolve.language.elements import Action
@@ -82,6 +83,7 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
             sheet.outline(outline)
     draw_plane_actions(stage, sheet)
     draw_blows(stage, sheet)
+    draw_struck(stage, sheet)
     draw_angles(stage, sheet)
     if any(item.side is not None for item in stage.kinds.contacts):
         from rotsolve.draw.plane.signs.marked_sides import mark_sides
