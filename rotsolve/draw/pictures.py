@@ -55,7 +55,10 @@ def free_body_pictures(
     found = [] if state else diagrams_at(problem, states_asked(problem), ways)
     found = found or diagrams_at(problem, (named,), ways)
     if not found:
-        raise undrawable("nothing acts on any body, so there is no free-body diagram", problem)
+        others = (item.name for item in problem.states if item.name != named)
+        other = next((name for name in others if diagrams_at(problem, (name,), ways)), "")
+        help = f"what acts at another state is drawn with `--state {other}`" if other else ""
+        raise undrawable("nothing acts on any body, so there is no free-body diagram", problem, help)
     return found
 
 

@@ -34,6 +34,7 @@ class SceneFacts:
         self.stage = stage
         self.scene = scene or SceneEquations(stage.configuration)
         self.ways = ways
+        self._told: dict[Formula, int | None] = {}
 
     @cached_property
     def instant(self) -> Instant:
@@ -76,10 +77,12 @@ class SceneFacts:
     def way_of(self, size: Formula) -> int | None:
         """Whether what is told by a size acts the way in which that is counted, +1, against it, −1, or not at all, 0, by the answers; where
         they do not tell it by what the scene requires, as of strings, which only pull. None where nothing tells it."""
-        sign = self.stage.configuration.signs.sign(size) if self.ways is None else self.ways.sign(size)
-        if sign is None and any(need.left == size and need.right == ZERO for need in self.facts.requirements):
-            return 1
-        return sign
+        if size not in self._told:
+            sign = self.stage.configuration.signs.sign(size) if self.ways is None else self.ways.sign(size)
+            if sign is None and any(need.left == size and need.right == ZERO for need in self.facts.requirements):
+                sign = 1
+            self._told[size] = sign
+        return self._told[size]
 
     # numbers
 
