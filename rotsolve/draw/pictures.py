@@ -14,7 +14,6 @@ from rotsolve.draw.paper.figure import Figure
 from rotsolve.draw.plane.places.numbers import numbers_for
 from rotsolve.draw.plane.places.overlaps import plane_stage
 from rotsolve.draw.plane.places.stage import PlaneStage
-from rotsolve.draw.states import states_asked
 from rotsolve.elements.shapes import shape_of
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem
@@ -51,6 +50,8 @@ def free_body_pictures(
     if problem.space:
         help = "the picture of the scene shows its weights and what the actions exert; `solve --show facts` says all forces"
         raise undrawable("free-body diagrams are drawn of scenes in the plane, and this one is in space", problem, help)
+    from rotsolve.draw.states import states_asked
+
     named = state_named(problem, state)
     found = [] if state else diagrams_at(problem, states_asked(problem), ways)
     found = found or diagrams_at(problem, (named,), ways)
@@ -67,7 +68,7 @@ def diagrams_at(problem: Problem, states: Sequence[str], ways: ActingWays | None
     from rotsolve.draw.plane.freebody import free_body_figures, look_of
 
     found: dict[object, tuple[str, str, Figure]] = {}
-    for known in facts_at(problem, states, ways):
+    for known in known_at(problem, states, ways):
         for body, figure in free_body_figures(known):
             found.setdefault((body, look_of(figure)), (known.stage.state, body, figure))
     return list(found.values())
@@ -82,7 +83,7 @@ def free_body_picture(problem: Problem, state: str = "", ways: ActingWays | None
     return diagrams_in_rows(figures, f"{problem.title}: free-body diagrams", said)
 
 
-def facts_at(problem: Problem, states: Sequence[str], ways: ActingWays | None) -> Iterator[SceneFacts]:
+def known_at(problem: Problem, states: Sequence[str], ways: ActingWays | None) -> Iterator[SceneFacts]:
     """The facts at some states, with the bodies as they stand there by the answers."""
     from rotsolve.draw.plane.facts import SceneFacts
     from rotsolve.draw.plane.standing import as_found

@@ -11,11 +11,11 @@ from rotsolve.motion.timeline import Timeline, timeline
 def states_asked(problem: Problem) -> tuple[str, ...]:
     """The states of which the questions ask, in the order of time: of a phase or an event the one at which it begins."""
     line = timeline(problem)
-    asked = {state for find in problem.finds for term in terms_of(find) for state in moments_of(term, line)}
+    asked = {state for find in problem.finds for term in terms_asked(find) for state in moments_of(term, line)}
     return tuple(name for name in line.named if name in asked)
 
 
-def terms_of(find: Find) -> tuple[Term, ...]:
+def terms_asked(find: Find) -> tuple[Term, ...]:
     """All that a question speaks of, with what holds where it asks."""
     phrase = find.where.phrase if find.where is not None else None
     return (*find.terms, *(phrase.terms if phrase is not None else ()))

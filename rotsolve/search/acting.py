@@ -30,14 +30,14 @@ class ActingWays(Struct, frozen=True):
 
     def sign(self, value: Formula) -> int | None:
         """The sign of a formula of quantities, where it is the same in every case; None where nothing tells it."""
-        signs = {sign_of(value, search) for search in self.searches}
+        signs = {sign_in_case(value, search) for search in self.searches}
         return signs.pop() if len(signs) == 1 else None
 
     def number(self, value: Formula) -> float | None:
         """About what a formula of quantities comes to, where there is one case of letters."""
         if len(self.searches) > 1:
             return None
-        found = worked_out(value, self.searches[0])
+        found = found_aside(value, self.searches[0])
         return None if found is None else self.searches[0].number(found)
 
 
@@ -47,7 +47,7 @@ def all_cases(found: Sequence[ActingWays | None]) -> ActingWays | None:
     return ActingWays(searches) if searches else None
 
 
-def worked_out(value: Formula, search: Search) -> Formula | None:
+def found_aside(value: Formula, search: Search) -> Formula | None:
     """A formula with all letters of the laws worked out, those that nobody has asked for aside."""
     value = search.solver.with_found(value)
     if not has_quantities(value):
@@ -59,9 +59,9 @@ def worked_out(value: Formula, search: Search) -> Formula | None:
         return None
 
 
-def sign_of(value: Formula, search: Search) -> int | None:
+def sign_in_case(value: Formula, search: Search) -> int | None:
     """The sign of a formula of quantities in one case, as far as numbers tell it or all letters that are meant to be positive."""
-    found = worked_out(value, search)
+    found = found_aside(value, search)
     if found is None:
         try:
             with at_most(ASIDE):

@@ -15,7 +15,7 @@ from rotsolve.confirm.numbers import value_of
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key
 from rotsolve.draw.paper.figure import Figure, Line
-from rotsolve.draw.pictures import facts_at, free_body_pictures
+from rotsolve.draw.pictures import free_body_pictures, known_at
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.scene.read import read_text
 
@@ -56,7 +56,7 @@ def drawn_at(name: str) -> Iterator[tuple[SceneFacts, dict[str, Figure]]]:
     """The states of a problem at which its diagrams are drawn, with the diagram of each body that has one of its own there."""
     figures = diagrams(name)
     states = tuple(dict.fromkeys(state for state, _, _ in figures))
-    for known in facts_at(problem(name), states, ways(name)):
+    for known in known_at(problem(name), states, ways(name)):
         yield known, {body: figure for state, body, figure in figures if state == known.stage.state}
 
 

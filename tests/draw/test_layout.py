@@ -18,7 +18,6 @@ from rotsolve.draw.pictures import scene_picture
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.places.numbers import numbers_for
 from rotsolve.draw.plane.places.overlaps import hull, overlapping, plane_stage
-from rotsolve.draw.plane.places.posts import post_radius
 from rotsolve.draw.plane.places.rules import meetings_to_come
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.scene import draw_scene, largest_first, plane_scale
@@ -214,7 +213,7 @@ def test_a_rope_round_a_post_touches_it_on_both_sides(way: str, wrap: int, under
         end = found.leg_end(ref, 0, leg.along)
         assert end is not None
         u, w = found.middle(end)
-        assert math.hypot(u - x, w - y) == pytest.approx(post_radius(found))
+        assert math.hypot(u - x, w - y) == pytest.approx(found.post_radius)
         assert (u - x) * leg.along[0] + (w - y) * leg.along[1] == pytest.approx(0.0, abs=1e-9)
     assert found.bodies["one"].place[0] < x < found.bodies["load"].place[0]
     assert not list(overlapping(found))

@@ -47,10 +47,10 @@ def free_body_figures(known: SceneFacts) -> list[tuple[str, Figure]]:
 
 def acts(body: BodyFacts, known: SceneFacts) -> bool:
     """Whether anything acts on a body."""
-    return any(known.way_of(size) != 0 for size in sizes_of(body))
+    return any(known.way_of(size) != 0 for size in signed_sizes(body))
 
 
-def sizes_of(body: BodyFacts) -> list[Formula]:
+def signed_sizes(body: BodyFacts) -> list[Formula]:
     """What each force and couple on a body comes to, along its direction or counterclockwise."""
     return [*(force.size for force in body.forces), *(couple.torque for couple in body.couples)]
 

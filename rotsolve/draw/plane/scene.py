@@ -114,7 +114,7 @@ def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
         words = strength_words(action, stage)
         for fact in facts:
             if isinstance(fact, Force) and not fact.role.rubs:
-                draw_pull(fact, words, known, sheet, taken, turned_back(fact, action))
+                draw_pull(fact, words, known, sheet, taken, told_backwards(fact, action))
             elif isinstance(fact, Couple):
                 turn = turn_shown(fact, action, known)
                 couple_arrow(fact.body, turn, known, sheet, words, couples.get(fact.body, 0))
@@ -127,7 +127,7 @@ def strength_words(action: Action, stage: PlaneStage) -> Words | None:
     return told_words(stage, told.operand if isinstance(told, Negative) else told)
 
 
-def turned_back(fact: Force, action: Action) -> bool:
+def told_backwards(fact: Force, action: Action) -> bool:
     """Whether the direction of a force is still that of −k x, and not yet that of k x the other way."""
     return isinstance(action.strength(), Negative) and (fact.size == ZERO or isinstance(fact.size, Negative))
 

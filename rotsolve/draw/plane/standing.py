@@ -69,7 +69,7 @@ def angles_found(state: str, scene: SceneEquations, ways: ActingWays | None) -> 
     if ways is None:
         return
     quantities = scene.registry.quantities
-    for key in sorted(letters_of_places(state, scene)):
+    for key in sorted(letters_of_arms(state, scene)):
         quantity = quantities.get(key)
         if quantity is not None and quantity.kind == ANGLE and not quantity.component:
             size = ways.number(Symbol(key))
@@ -77,7 +77,7 @@ def angles_found(state: str, scene: SceneEquations, ways: ActingWays | None) -> 
                 yield Condition(Path(quantity.owner, ANGLE), Number(Fraction(size)))
 
 
-def letters_of_places(state: str, scene: SceneEquations) -> set[str]:
+def letters_of_arms(state: str, scene: SceneEquations) -> set[str]:
     """The letters of the directions and arms of all forces at a state."""
     forces = [force for body in scene.facts(state).bodies for force in body.forces]
     parts = [part for force in forces for vector in (force.direction, force.arm) for part in vector.parts]

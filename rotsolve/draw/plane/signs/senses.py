@@ -51,7 +51,7 @@ def draw_travel(body: Figured, speed: Condition | None, stage: PlaneStage, sheet
     role = SPIN if speed is not None else SENSE
     starts = [ahead_of(body, way, at, sheet)] if speed is not None else []
     starts += [beside_way(body, way, side, at, sheet), beside_way(body, way, (-side[0], -side[1]), at, sheet)]
-    starts += [behind(body, way, at, sheet), ahead_of(body, way, at, sheet), shifted_by(at, way, -ARROW / 2)]
+    starts += [up_to_back(body, way, at, sheet), ahead_of(body, way, at, sheet), shifted_by(at, way, -ARROW / 2)]
     start = freest([[start, shifted_by(start, way, ARROW)] for start in starts], body, stage, sheet)[0]
     sheet.arrow(start, way, ARROW, role, speed_words(speed, stage))
 
@@ -61,7 +61,7 @@ def ahead_of(body: Figured, way: Point, at: Point, sheet: ScenePaper) -> Point:
     return shifted_by(at, way, sheet.scale * body.reach(way) + 5.0)
 
 
-def behind(body: Figured, way: Point, at: Point, sheet: ScenePaper) -> Point:
+def up_to_back(body: Figured, way: Point, at: Point, sheet: ScenePaper) -> Point:
     """Where an arrow begins that comes up to the back of a body."""
     return shifted_by(at, way, -sheet.scale * body.reach((-way[0], -way[1])) - 5.0 - ARROW)
 
@@ -87,16 +87,16 @@ def freest(courses: Sequence[list[Point]], body: Figured, stage: PlaneStage, she
 
     def met(course: list[Point]) -> int:
         """How many of its steps meet something."""
-        rooms = [around_step(one, other) for one, other in itertools.pairwise(in_steps(course))]
+        rooms = [around_step(one, other) for one, other in itertools.pairwise(steps_of_course(course))]
         return sum(
-            any(crosses(piece, room) for piece in lines) or any(meet(box_corners(room), one) for one in others)
+            any(crosses(piece, room) for piece in lines) or any(meet(around_corners(room), one) for one in others)
             for room in rooms
         )
 
     return min(courses, key=met)
 
 
-def in_steps(course: list[Point]) -> list[Point]:
+def steps_of_course(course: list[Point]) -> list[Point]:
     """A course in steps: a straight one in several."""
     if len(course) > 2:
         return course
@@ -110,7 +110,7 @@ def around_step(one: Point, other: Point) -> Box:
     return min(ax, bx) - CLEAR, min(ay, by) - CLEAR, max(ax, bx) + CLEAR, max(ay, by) + CLEAR
 
 
-def box_corners(box: Box) -> list[Point]:
+def around_corners(box: Box) -> list[Point]:
     """The corners of a box, counterclockwise."""
     left, low, right, high = box
     return [(left, low), (right, low), (right, high), (left, high)]

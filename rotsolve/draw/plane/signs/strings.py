@@ -28,7 +28,7 @@ from rotsolve.draw.paper.figure import (
 from rotsolve.draw.paper.lettering import prose
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.outlines import spun
-from rotsolve.draw.plane.places.posts import is_post_of, post_radius, touched_at, turn_round
+from rotsolve.draw.plane.places.posts import is_post_of, turn_round
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
 from rotsolve.draw.plane.signs.sheet import ScenePaper
@@ -68,8 +68,8 @@ def straight_on(name: str, ref: PointRef, at: Point, way: Point, stage: PlaneSta
 
 def leg_end(ref: PointRef, side: int, leg: StringPart, stage: PlaneStage, sheet: ScenePaper) -> Point | None:
     """Where a leg meets a wheel, a post or a point."""
-    if is_post_of(ref, stage) and leg.along is not None:
-        return sheet.at(shifted_by(stage.middle(stage.post(ref.owner)), touched_at(ref, leg.along, stage)))
+    if is_post_of(ref, stage.model) and leg.along is not None:
+        return sheet.at(shifted_by(stage.middle(stage.post(ref.owner)), stage.on_post(ref, leg.along)))
     if ref.owner not in stage.bodies or ref.place is not None:
         place = stage.point(ref)
         return None if place is None else sheet.at(place)
@@ -120,7 +120,7 @@ def draw_string(item: String, stage: PlaneStage, sheet: ScenePaper) -> None:
         sheet.figure.line([start, end], STRING if front or any(leg.sides) else BEHIND)
     for before, after, leg in zip(ends, ends[1:], legs, strict=False):
         wrapped(leg.second, leg.sides[1], before[1], after[0], stage, sheet)
-        if is_post_of(leg.second, stage):
+        if is_post_of(leg.second, stage.model):
             draw_post(leg.second, before[1], after[0], stage, sheet)
     for ref, end, other in ((item.string[0], ends[0][0], ends[0][1]), (item.string[-1], ends[-1][1], ends[-1][0])):
         if ref.owner not in stage.bodies and ref.owner not in stage.surfaces:
@@ -149,9 +149,9 @@ def wrapped(ref: PointRef, side: int, start: Point, end: Point, stage: PlaneStag
 
 def draw_post(ref: PointRef, start: Point, end: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
     """A post with the rope on it, all the way round where its strands go on in one line; and what the post is called."""
-    centre, turn = sheet.at(stage.middle(stage.post(ref.owner))), turn_round(ref.owner, stage)
+    centre, turn = sheet.at(stage.middle(stage.post(ref.owner))), turn_round(ref.owner, stage.kinds, stage.model)
     for role in (GROUND, SURFACE):
-        sheet.figure.circle(centre, sheet.scale * post_radius(stage), role)
+        sheet.figure.circle(centre, sheet.scale * stage.post_radius, role)
     first, last = (math.atan2(y - centre[1], x - centre[0]) for x, y in (start, end))
     way = turn * ((turn * (last - first) - 1e-6) % (2 * math.pi) + 1e-6)
     sheet.figure.line(arc_points(centre, math.dist(centre, start), first, first + way), STRING)
