@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.symbols import TIME, has_quantities
+from rotsolve.core.symbols import TIME, has_quantities, rub_of
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem
 from rotsolve.search.planning import families_for
@@ -28,8 +28,26 @@ class ActingWays(Struct, frozen=True):
         """The scene as it is solved, with the ways in which contacts slip, in the first case."""
         return self.searches[0].scene
 
-    def sign(self, value: Formula) -> int | None:
-        """The sign of a formula of quantities, where it is the same in every case; None where nothing tells it."""
+    @property
+    def divided(self) -> frozenset[str]:
+        """What rubs otherwise in one case than in another, or is counted the other way there, so that no picture is of all."""
+        modes = {
+            rub_of(key)[0]
+            for one in self.searches
+            for key, mode in one.scene.modes.items()
+            if self.scene.modes.get(key) != mode
+        }
+        turned = {
+            owner
+            for one in self.searches
+            for owner in one.scene.configuration.forward ^ self.scene.configuration.forward
+        }
+        return frozenset(modes | turned)
+
+    def sign(self, value: Formula, owner: str) -> int | None:
+        """The sign of what a connection or action does, where it is the same in every case; None where nothing tells it."""
+        if len(self.searches) > 1 and owner in self.divided:
+            return None
         signs = {sign_in_case(value, search) for search in self.searches}
         return signs.pop() if len(signs) == 1 else None
 

@@ -14,8 +14,8 @@ from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key
-from rotsolve.draw.paper.figure import Figure, Line
-from rotsolve.draw.pictures import free_body_pictures, known_at
+from rotsolve.draw.paper.figure import UNSURE, Figure, Line
+from rotsolve.draw.pictures import free_body_picture, free_body_pictures, known_at
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.scene.read import read_text
 
@@ -144,3 +144,66 @@ def test_where_nothing_acts_there_is_no_diagram() -> None:
     still += "states: {now: {wheel.angular_velocity: w}}\nfind: {K: wheel.angular_velocity}\n"
     with pytest.raises(Unsolvable, match="nothing acts"):
         free_body_pictures(read_text(still))
+
+
+def arrows_of(name: str, body: str, state: str) -> dict[str, tuple[int, int]]:
+    """The arrows of one diagram of a problem: where each points, by the letter at its tip."""
+    [figure] = [figure for at, owner, figure in diagrams(name) if (at, owner) == (state, body)]
+    found = {}
+    for mark in tagged(figure).values():
+        tip = mark.points[-1]
+        words = min(
+            (label for label in figure.labels if label.ink == "force"), key=lambda label: math.dist(label.at, tip)
+        )
+        found[words.text] = (round(tip[0] - mark.points[0][0]), round(tip[1] - mark.points[0][1]))
+    return found
+
+
+def test_a_plank_and_its_roller_rub_each_other_as_they_do() -> None:
+    """Worked by hand: the plank is held back by the roller, which is pushed on above and below."""
+    plank = arrows_of("rolling/plank-on-a-roller", "plank", "start")
+    roller = arrows_of("rolling/plank-on-a-roller", "cylinder", "start")
+    assert plank["F"] == (42, 0) and plank["f_above"] == (-42, 0)
+    assert roller["f_above"] == roller["f_below"] == (42, 0)
+
+
+def test_a_support_that_has_gone_is_not_drawn() -> None:
+    """At the state of the question there is one, and the caption says which state that is."""
+    assert arrows_of("hinged/rod-loses-a-support", "rod", "after") == {"F": (0, 42), "m g": (0, -42)}
+    [(_, _, figure)] = diagrams("hinged/rod-loses-a-support")
+    assert "rod, just after the removal" in {label.text for label in figure.labels}
+
+
+def test_a_state_that_looks_like_another_one_is_drawn_once() -> None:
+    assert {state for state, _, _ in diagrams("rolling/plank-on-a-roller")} == {"start"}
+    assert {state for state, _, _ in diagrams("hinged/rod-30")} == {"released", "lowest"}
+
+
+def test_what_nothing_tells_is_dashed_and_said_so() -> None:
+    """The force of a hinge on a rod that is driven round by whatever it takes: no answer tells its parts."""
+    name = "angular-momentum/bead-in-a-driven-tube"
+    figure = free_body_picture(problem(name), "", ways(name))
+    assert {mark.tag for mark in figure.marks if isinstance(mark, Line) and mark.role is UNSURE}
+    assert any(label.text.startswith("dashed: nothing tells") for label in figure.labels)
+    sure = free_body_picture(problem("hinged/rod-30"), "", ways("hinged/rod-30"))
+    assert not any(label.text.startswith("dashed") for label in sure.labels)
+
+
+def test_a_force_against_its_letter_has_bars() -> None:
+    """A rod that is whirled round a shaft is pulled inwards, against the way in which Fx counts."""
+    arrows = arrows_of("hinged/conical-pendulum", "string", "round")
+    assert arrows["|Fₓ|"] == (-42, 0) and arrows["F_y"] == (0, 42)
+
+
+def test_without_answers_only_what_the_scene_requires_has_a_sense() -> None:
+    """Surfaces press; which way a friction acts is not told before the scene is solved."""
+    [(_, _, figure)] = free_body_pictures(read_text(LADDER))
+    roles = {mark.tag: mark.role for mark in tagged(figure).values()}
+    assert sum(role is UNSURE for role in roles.values()) == 1
+
+
+def test_where_nothing_acts_a_state_is_named_at_which_something_does() -> None:
+    with pytest.raises(Unsolvable) as refused:
+        free_body_pictures(problem("hinged/compass-needle"), "", ways("hinged/compass-needle"))
+    state = refused.value.fault.help.rpartition(" ")[2].strip("`")
+    assert free_body_pictures(problem("hinged/compass-needle"), state, ways("hinged/compass-needle"))

@@ -34,7 +34,7 @@ class SceneFacts:
         self.stage = stage
         self.scene = scene or SceneEquations(stage.configuration)
         self.ways = ways
-        self._told: dict[Formula, int | None] = {}
+        self._told: dict[tuple[Formula, str], int | None] = {}
 
     @cached_property
     def instant(self) -> Instant:
@@ -74,15 +74,15 @@ class SceneFacts:
             if is_key(asked.letter) and asked.letter in used and not is_key(find.name):
                 yield asked.letter, find.name
 
-    def way_of(self, size: Formula) -> int | None:
+    def way_of(self, size: Formula, owner: str = "") -> int | None:
         """Whether what is told by a size acts the way in which that is counted, +1, against it, −1, or not at all, 0, by the answers; where
         they do not tell it by what the scene requires, as of strings, which only pull. None where nothing tells it."""
-        if size not in self._told:
-            sign = self.stage.configuration.signs.sign(size) if self.ways is None else self.ways.sign(size)
+        if (size, owner) not in self._told:
+            sign = self.stage.configuration.signs.sign(size) if self.ways is None else self.ways.sign(size, owner)
             if sign is None and any(need.left == size and need.right == ZERO for need in self.facts.requirements):
                 sign = 1
-            self._told[size] = sign
-        return self._told[size]
+            self._told[size, owner] = sign
+        return self._told[size, owner]
 
     # numbers
 
@@ -134,7 +134,7 @@ class SceneFacts:
     def acting(self, body: BodyFacts) -> Iterator[tuple[int, Force, Point, Point, int | None]]:
         """The forces on a body, as they act: each with its number, where it acts, its unit vector, and which way that is of its letter."""
         for number, force in enumerate(body.forces):
-            way = self.way_of(force.size)
+            way = self.way_of(force.size, force.owner)
             if way != 0:
                 x, y = unit_of(self.arrow(force.direction))
                 turned = -1.0 if way == -1 else 1.0

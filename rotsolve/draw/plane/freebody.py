@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.formula import Formula, call, negate
+from rotsolve.algebra.formula import call, negate
 from rotsolve.core.facts import BodyFacts, Couple, Force
+from rotsolve.core.vectors.heading import opposite
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.headings import moment_title
 from rotsolve.draw.paper.figure import (
@@ -47,12 +48,7 @@ def free_body_figures(known: SceneFacts) -> list[tuple[str, Figure]]:
 
 def acts(body: BodyFacts, known: SceneFacts) -> bool:
     """Whether anything acts on a body."""
-    return any(known.way_of(size) != 0 for size in signed_sizes(body))
-
-
-def signed_sizes(body: BodyFacts) -> list[Formula]:
-    """What each force and couple on a body comes to, along its direction or counterclockwise."""
-    return [*(force.size for force in body.forces), *(couple.torque for couple in body.couples)]
+    return any(known.way_of(item.size, item.owner) != 0 for item in body.acting)
 
 
 def free_body_figure(body: BodyFacts, known: SceneFacts) -> Figure:
@@ -86,7 +82,7 @@ def draw_couples(body: BodyFacts, known: SceneFacts, sheet: ScenePaper) -> None:
     """Round arrows, one round the other, the way in which each couple turns."""
     drawn = 0
     for number, couple in enumerate(body.couples):
-        told = known.way_of(couple.torque)
+        told = known.way_of(couple.torque, couple.owner)
         if told != 0:
             turn = told or turn_counted(couple)
             words = size_words(couple, turn * turn_counted(couple), known)
@@ -131,13 +127,13 @@ def scale_of(members: Sequence[Figured]) -> float:
 
 
 def description(body: BodyFacts, known: SceneFacts) -> str:
-    """All that acts, in words; what is told against the way in which it acts is opposite to that."""
+    """All that acts, in words, the way in which it acts."""
     said = []
     for item in body.acting:
-        told = known.way_of(item.size)
+        told = known.way_of(item.size, item.owner)
         if told != 0:
-            against = ", the other way" if told == -1 else ", or the other way" if told is None else ""
-            said.append(f"{item.noun}{', ' + item.way if item.way else ''}{against}")
+            way = opposite(item.way) if told == -1 else item.way
+            said.append(", ".join(filter(None, (item.noun, way, "or the other way" if told is None else ""))))
     return "; ".join(said) or "nothing acts on it"
 
 
@@ -215,7 +211,7 @@ def diagrams_in_rows(figures: Sequence[Figure], title: str, description: str) ->
 
 def caption(lines: Sequence[str], top: float) -> Iterator[Label]:
     """Lines of words below a picture, from the left."""
+    wide, high = max(width_of(line, SIZE, True) for line in lines), HIGH * SIZE
     for number, line in enumerate(lines):
-        wide, high = width_of(line, SIZE, True), HIGH * SIZE
         at = wide / 2, top - (number + 0.5) * high
         yield Label(line, prose(line).latex, at, box_at(at, wide, high), "faint")
