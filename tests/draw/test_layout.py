@@ -122,6 +122,7 @@ def inside(point: tuple[float, float], polygon: list[tuple[float, float]]) -> bo
     )
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", PLANE)
 def test_no_body_hides_a_smaller_one(name: str) -> None:
     """The edge of what lies on or in another body is drawn later than what that is filled with, in the same layer."""
@@ -137,6 +138,7 @@ def test_no_body_hides_a_smaller_one(name: str) -> None:
             assert not covers, (filled[early].role.name, filled[late].role.name)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", PLANE)
 def test_what_two_bodies_do_to_each_other_acts_at_one_place(name: str) -> None:
     """Where rims mesh and where round bodies lie on each other: the bodies of the picture meet where the laws say so."""
@@ -160,6 +162,7 @@ def is_round_pair(item: Connection, known: SceneFacts) -> bool:
     return all(owner in known.stage.bodies and known.stage.rim(PointRef(owner)) for owner in owners)
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", PLANE)
 def test_springs_end_at_the_sides_of_blocks(name: str) -> None:
     found = stage(name)
@@ -175,6 +178,7 @@ def test_springs_end_at_the_sides_of_blocks(name: str) -> None:
         assert not any(inside(end, shrunk) for end in ends), body.name
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", PLANE)
 def test_arrows_of_senses_lie_on_no_other_body(name: str) -> None:
     """Nor on arrows of forces and on each other."""
