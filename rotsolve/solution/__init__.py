@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Problem
+    from rotsolve.search.acting import ActingWays
     from rotsolve.solution.picture import PictureView
     from rotsolve.solution.symbols import Symbols
 
@@ -44,7 +45,7 @@ class Trace(Struct, frozen=True):
     meanings: Callable[[], Meanings] | None = None  # what the letters of the scene stand for
     anew: Callable[[Mapping[str, str], str | None], Resolved] | None = None  # with other values, at another time
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
-    forward: frozenset[str] = frozenset()  # whose friction acts the way in which its body is counted
+    acting: Callable[[], ActingWays | None] = lambda: None  # what tells which way forces act
     by_law: Callable[[str], Derivation] | None = None  # the same questions by another law
     letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
     # other roots for a letter of the scene, if only on the way
@@ -62,8 +63,8 @@ class Trace(Struct, frozen=True):
         return trace_again, (self.again, late, {name: told[name] for name in KEPT})
 
 
-KEPT = ("idle", "forward", "points", "again", "anew")
-LATE = ("facts", "equations", "plan", "validity", "meanings", "by_law", "letter", "others", "confirmation")
+KEPT = ("idle", "points", "again", "anew")
+LATE = ("acting", "facts", "equations", "plan", "validity", "meanings", "by_law", "letter", "others", "confirmation")
 
 
 def trace_again(again: Callable[[], Solution], late: Iterable[str], kept: Mapping[str, Any]) -> Trace:
@@ -311,7 +312,7 @@ class Solution(Struct, frozen=True, dict=True, eq=False):
         """The picture of the scene, which a notebook shows."""
         from rotsolve.solution.picture import PictureView
 
-        return PictureView(self.problem, forward=self.trace.forward)
+        return PictureView(self.problem, acting=self.trace.acting)
 
     def __repr__(self) -> str:
         return f"<Solution of {self.derivation.title!r}: {', '.join(self.answers)}>"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -9,6 +10,7 @@ from msgspec.structs import replace
 
 if TYPE_CHECKING:
     from rotsolve.language.problem import Problem
+    from rotsolve.search.acting import ActingWays
 
 
 class PictureView(Struct, frozen=True):
@@ -16,7 +18,7 @@ class PictureView(Struct, frozen=True):
 
     problem: Problem
     state: str = ""
-    forward: frozenset[str] = frozenset()
+    acting: Callable[[], ActingWays | None] = lambda: None
 
     def at(self, state: str) -> PictureView:
         """The same scene at another state."""
@@ -40,11 +42,11 @@ class PictureView(Struct, frozen=True):
 
     @property
     def free_bodies(self) -> str:
-        """The free-body diagrams as SVG."""
+        """The free-body diagrams as SVG: at the states of which the scene asks, unless another is named."""
         from rotsolve.draw.paper.svg import svg
         from rotsolve.draw.pictures import free_body_picture
 
-        return svg(free_body_picture(self.problem, self.state, self.forward))
+        return svg(free_body_picture(self.problem, self.state, self.acting()))
 
     def _repr_svg_(self) -> str:
         return self.svg
