@@ -73,7 +73,7 @@ def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     word = " ".join(written.value.split())
     shape = shape_words().get(word)
     if shape is None:
-        scope.unknown(written, word, "shape", shape_words(), "shapes")
+        scope.unknown(written, word, "shape", shape_words(), "shapes", own=False)
     elif shape.later:
         scope.later(written, word)
     return shape

@@ -351,7 +351,7 @@ def plain_word(scope: Scope, kind: str, table: list[Any], name: str, node: Text)
         example = next((declared.example for _, declared in keys_of(known) if declared.example), "…")
         scope.fault(node, f"`{word}` wants a value", f"write `{name}: {{{word}: {example}}}`", "form")
     else:
-        scope.unknown(node, word, kind, [item.word for item in table], PLURAL[kind])
+        scope.unknown(node, word, kind, [item.word for item in table], PLURAL[kind], own=False)
     return None
 
 
@@ -367,7 +367,7 @@ def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, no
         return scope.fault(key, f"`{name}` is both {both}", "give each a name of its own", "form")
     for entry, _ in node.entries:
         if nearest_name(entry.value, known):
-            return scope.unknown(entry, entry.value, kind, known, PLURAL[kind])
+            return scope.unknown(entry, entry.value, kind, known, PLURAL[kind], own=False)
     return scope.fault(key, f"`{name}` doesn't say what kind of {kind} it is", hint("", known, PLURAL[kind]), "missing")
 
 

@@ -181,6 +181,7 @@ LITERAL = re.compile(
     re.DOTALL,
 )
 COMMA = r"\s*[-+−]?\d+,\d"  # compiled where there is a comma
+FEW = 3  # places of letters that are shown beside a fault
 STEP = Fraction(1, 12)  # 15° in units of π
 EXPRESSION = Symbol("an expression after all")
 
@@ -237,7 +238,9 @@ def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> No
     """The complaint of the unit parser at its place."""
     shift += len(node.value) - len(node.value.lstrip())
     help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
-    help = help or ("" if ":" in error.message else "write a number and a unit, such as `3 kg m^2`")
+    help = help or (
+        "write a number and a unit, such as `3 kg m^2`" if re.search("(unit [^:]*|begins .*)$", error.message) else ""
+    )
     place = node.part(shift + error.start, shift + max(error.end, error.start + 1))
     return scope.fault(place, error.message, help, "unit")
 
@@ -273,21 +276,54 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
     if want.dimension is None or (zero and found == NUMBER):
         return True
     label, shown_text = f"`{want.label}` wants {an(want.dimension)}", quoted(text)
-    wanted = DIMENSIONS[want.dimension]
+    wanted, letters = DIMENSIONS[want.dimension], givens_in(scope, node)
     number = text.rpartition("= ")[2]
     bare = found == NUMBER and want.dimension == "angle" and LITERAL.fullmatch(number) is not None
     bare = bare and re.search("pi|π|deg|rad|rev|°", number) is None
     if found.matches(wanted) and not bare:
         if want.dimension != "angular velocity" or "Hz" not in unit:
             return True
-        help = "write `2 rev/s` or `12.6 rad/s`"
-        scope.fault(node, f"{label}, but {shown_text} counts turns", help, "dimension")
-        return False
-    shown = "has no unit" if found == NUMBER else f"is {dimension_in_words(found)}"
-    example = BY_NAME[want.dimension].example if found == NUMBER else ""
-    help = f"write a unit: `{example}`" if example else ""
-    scope.fault(node, f"{label}, but {shown_text} {shown}", help, "dimension")
+        help, message = "write `2 rev/s` or `12.6 rad/s`", f"{label}, but {shown_text} counts turns"
+    else:
+        shown = "has no unit" if found == NUMBER else f"is {dimension_in_words(found)}"
+        help, message = with_its_unit(want, node, number, letters, found), f"{label}, but {shown_text} {shown}"
+    blame_of_dimension(scope, node, message, help, letters, wanted if found == NUMBER else None)
     return False
+
+
+def givens_in(scope: Scope, node: Text) -> list[str]:
+    """The givens that a text names; none in a number with its unit."""
+    named = () if parsed_quantity(node.value) is not None else dict.fromkeys(re.findall(NAME, node.value))
+    return [name for name in named if name in scope.givens and scope.kinds.get(name) == "given"]
+
+
+def with_its_unit(want: Want, node: Text, number: str, letters: list[str], found: Dimension) -> str:
+    """What to write for a number that lacks its unit: itself with one, where it stands or is given; for one of another kind an example."""
+    kind = BY_NAME[want.dimension or ""]
+    if LITERAL.fullmatch(number) is None or kind.dimension == NUMBER:
+        return ""
+    unit = kind.example.partition(" ")[2] or kind.unit
+    if found == NUMBER:
+        return f"write a unit: `{letters[0] if letters else want.label}: {number} {unit}`"
+    return f"{an(want.dimension or '')} is written as `{kind.example or f'1 {unit}'}`"
+
+
+def blame_of_dimension(
+    scope: Scope, node: Text, message: str, help: str, letters: list[str], wanted: Dimension | None = None
+) -> Nothing:
+    """A dimension that is not the one wanted: with the places where its letters are given, once for a letter that alone is to blame.
+
+    One that was given without its unit is taken from here on for what is `wanted` of it.
+    """
+    plain = [name for name in letters if scope.dimensions.get(name) == NUMBER and scope.givens[name].unit is None]
+    blamed = next((name for name in letters if name in scope.blamed), "")
+    if len(letters) == 1 or len(plain) == 1:
+        blamed = blamed or (letters[0] if len(letters) == 1 else plain[0])
+        scope.blamed.add(blamed)
+        if wanted is not None and letters == [node.value.strip()]:
+            scope.dimensions[letters[0]] = wanted
+    cause = f"dimension of {blamed}" if blamed else ""
+    return scope.fault(node, message, help, "dimension", related=scope.given_at(*letters[:FEW]), cause=cause)
 
 
 def as_letter(scope: Scope, span: Span, want: Want, quantity: UnitValue) -> Formula:
@@ -337,5 +373,11 @@ def limits_hold(scope: Scope, node: Node, number: float | None, want: Want, text
         "acute": not 0 <= number <= math.pi / 2 + 1e-12 and "must lie from 0 to 90 deg",
     }[want.limits]
     if wrong:
-        scope.fault(node, f"`{want.label}` {wrong}, but this is {quoted(text)}", kind="limits")
+        letters = givens_in(scope, node) if isinstance(node, Text) else []
+        cause = f"sign of {letters[0]}" if len(letters) == 1 else ""
+        message = f"`{want.label}` {wrong}, but this is {quoted(text)}"
+        bare = text.rpartition("= ")[2].lstrip("-−")
+        signed = number < 0 and want.limits in ("positive", "nonnegative") and LITERAL.fullmatch(bare) is not None
+        help = f"leave out the sign: `{letters[0] if letters else want.label}: {bare}`" if signed else ""
+        scope.fault(node, message, help, "limits", related=scope.given_at(*letters[:FEW]), cause=cause)
     return not wrong

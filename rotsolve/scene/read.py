@@ -13,16 +13,18 @@ from rotsolve.algebra.certified.ball import note
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ACCELERATION
 from rotsolve.algebra.units.quantities import parse_quantity
-from rotsolve.core.faults import Fault, SceneError
+from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.language.grammar import APPROXIMATIONS, SECTIONS
 from rotsolve.language.problem import SMALL_BESIDE, Given, Problem, references
 from rotsolve.language.words import quoted
 from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
+from rotsolve.scene.encoding import decoded
 from rotsolve.scene.givens import read_givens
 from rotsolve.scene.in_space import in_plane_only, in_space_only
 from rotsolve.scene.literals import Want
+from rotsolve.scene.mending import mended
 from rotsolve.scene.phrases import read_find
 from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
@@ -56,22 +58,12 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None =
         raise SceneError([Fault(f"can't read {quoted(name)}: {reason}", None, "", "file")]) from None
     if len(content) > BYTES:
         raise too_large(len(content), name)
-    if b"\0" in content:
-        raise unreadable("this is no text file: it holds a NUL byte", "a scene is YAML text in UTF-8", name)
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        raise unreadable(f"line {line} is not UTF-8", "save the file as UTF-8", name) from None
-    return read_text(text, name, settings)
+    return read_text(decoded(content, name), name, settings)
 
 
 def too_large(size: int, name: str) -> SceneError:
-    return unreadable(f"the file has {size} bytes, more than {BYTES}", "a scene is a page of text", name, "limit")
-
-
-def unreadable(message: str, help: str, name: str, kind: str = "file") -> SceneError:
-    return SceneError([Fault(message, None, help, kind)], (), name)
+    message = f"the file has {size} bytes, more than {BYTES}"
+    return SceneError([Fault(message, None, "a scene is a page of text", "limit")], (), name)
 
 
 def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
@@ -81,9 +73,11 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
     control = min((text.index(letter) for letter in set(text) if is_control(ord(letter))), default=None)
     if control is not None:
-        line = text.count("\n", 0, control) + 1
-        message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
-        raise unreadable(message, "a scene is YAML text in UTF-8", file)
+        place = Span(text.count("\n", 0, control) + 1, control - text.rfind("\n", 0, control))
+        fault = Fault(
+            f"a control character, U+{ord(text[control]):04X}", place, "remove it: a scene is plain text", "file"
+        )
+        raise SceneError([fault], text.split("\n"), file)
     return read_tree(*compose(text, file), file, settings)
 
 
@@ -99,10 +93,13 @@ def read_tree(
 ) -> Problem:
     """The problem in the tree of a text."""
     scope = Scope()
+    root = mended(root, scope) if isinstance(root, Map) else root
     problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
     scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None else ())
     if scope.faults:
-        raise SceneError(scope.faults, lines, file)
+        from rotsolve.scene.aftermath import first_causes  # only a faulty scene pays for it
+
+        raise SceneError(first_causes(scope, lines), lines, file)
     assert problem is not None
     return problem
 
@@ -221,7 +218,7 @@ class Sections:
     def required(self) -> None:
         scope = self.scope
         for section, declared in SECTIONS.items():
-            if declared.required and section not in self.written:
+            if declared.required and section not in self.written and self.written <= SECTIONS.keys():
                 scope.fault(None, f"the scene has no `{section}`", f"add it: {declared.help}", "missing")
         find = self.node("find")
         if isinstance(find, Map) and not find.entries:
