@@ -65,13 +65,14 @@ class SceneError(Exception):
 
 
 def told_once(faults: Iterable[Fault]) -> tuple[Fault, ...]:
-    """The faults sorted by place, the first one reported at each place; those of one cause as the first of them, which names the others."""
+    """The faults sorted by place, the first one reported at each place; those of one cause, or in the same words, as the first of them,
+    which names the others."""
     placed: dict[object, Fault] = {}
     for fault in faults:
         placed.setdefault(place_of(fault) or fault.message, fault)
-    found: dict[str, Fault] = {}
+    found: dict[object, Fault] = {}
     for fault in sorted(placed.values(), key=lambda fault: place_of(fault) or (0, 0)):
-        key = fault.cause or f"fault {len(found)}"
+        key = fault.cause or (fault.message, fault.help)
         first = found.setdefault(key, fault)
         if first is not fault and fault.span is not None and len(first.related) < MOST_RELATED:
             found[key] = replace(first, related=(*first.related, Related(fault.span, "and here")))

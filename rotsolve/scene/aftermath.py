@@ -12,6 +12,7 @@ from rotsolve.language.words import joined
 from rotsolve.scene.scope import UNKNOWN, Scope
 from rotsolve.scene.tree import List, Map, Node, Text
 
+UNTOLD = re.compile(r"^(?:title|source|text):.*|(?:^|\s)#.*")  # of a line: what names nothing
 ROOTS = ("name", "duplicate", "yaml", "key")  # kinds of faults that stand at what is not read themselves
 SIDES = re.compile(r"[^\s,\[\]{}()]")  # what belongs to a word in the file, with its points
 
@@ -92,6 +93,6 @@ def used_nowhere(fault: Fault, scope: Scope, lines: Sequence[str]) -> Fault:
     if meant is None or place is None or place.line > len(lines):
         return fault
     word = re.compile(rf"(?<!\w){meant[1]}(?!\w)")
-    if sum(len(word.findall(re.sub(r"(^|\s)#.*", "", line))) for line in lines) > 1:
+    if sum(len(word.findall(UNTOLD.sub("", line))) for line in lines) > 1:
         return fault
     return replace(fault, related=(*fault.related, Related(place, f"`{meant[1]}` is here, and named nowhere else")))

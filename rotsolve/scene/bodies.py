@@ -13,7 +13,7 @@ from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.language.grammar import BODY, PART
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.problem import Body, Part
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.elements import read_keys, read_value
 from rotsolve.scene.in_space import in_plane_only, in_space_only, read_axis, read_principal, read_rotations, read_tensor
 from rotsolve.scene.literals import Want
@@ -65,7 +65,7 @@ def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
 
 def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     """The shape that a body or part names."""
-    written = node.get("shape") if isinstance(node, Map) else None
+    written = (node.get("shape") or nearly_shape(node)) if isinstance(node, Map) else None
     if written is None or (isinstance(written, Text) and written.empty):
         return None
     if not isinstance(written, Text):
@@ -74,9 +74,19 @@ def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     shape = shape_words().get(word)
     if shape is None:
         scope.unknown(written, word, "shape", shape_words(), "shapes", own=False)
+        shape = shape_words().get(nearest_name(word, shape_words()) or "")
     elif shape.later:
         scope.later(written, word)
     return shape
+
+
+def nearly_shape(node: Map) -> Node | None:
+    """What stands under a key that is nearly `shape`, as its fault says of it."""
+    known = {word: None for cls in SHAPES for word, _ in keys_of(cls)} | dict.fromkeys((*BODY, *PART))
+    near = (
+        value for key, value in node.entries if key.value not in known and nearest_name(key.value, known) == "shape"
+    )
+    return next(near, None)
 
 
 def keys_allowed(shape: type[Shape] | None, more: tuple[str, ...]) -> list[str]:
@@ -333,6 +343,7 @@ def check_ends(scope: Scope, name: str, key: Text, entries: Entries, part: Part)
 def read_points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
     entries = named_entries(scope, node, f"the points of `{owner}`")
     found = [(name, read_spot(scope, written, name, owner)) for name, _, written in entries]
+    scope.lost.update(name for name, place in found if place is None)
     return tuple((name, place) for name, place in found if place is not None)
 
 

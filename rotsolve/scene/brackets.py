@@ -16,6 +16,7 @@ CLOSING = {"{": "}", "[": "]"}
 OPENING = {closing: opening for opening, closing in CLOSING.items()}
 HEAD = re.compile(r"(?P<indent>\s*)(?:-\s+)*(?:[^\s#'\"\[\]{},][^#\[\]{}\"]*?:(?:\s+|$))?")
 NEW_NAME = re.compile(r"\s*(?:-\s+)?[^\s\[\]{},#'\":][^\[\]{},#]*?:(?:\s|$)")
+UNQUOTE = "close it, or leave both out"
 COMMENT = re.compile(r"(?:^|\s)#.*$")
 
 
@@ -34,12 +35,11 @@ class Bracket(Struct, frozen=True):
 
 def misfit(lines: tuple[str, ...]) -> Fault | None:
     """The fault of the first bracket that has no other; None where all fit."""
-    whole = BracketScan(lines, by_indent=False)
+    whole, scan = BracketScan(lines, by_indent=False), BracketScan(lines, by_indent=True)
     whole.run()
-    if whole.fault is None and not whole.open:
-        return None
-    scan = BracketScan(lines, by_indent=True)
     scan.run()
+    if whole.fault is None and not whole.open and not scan.quote:
+        return None
     return scan.fault or (scan.never_closed(len(lines)) if scan.open else whole.fault)
 
 
@@ -51,7 +51,8 @@ class BracketScan:
         self.by_indent = by_indent
         self.open: list[Bracket] = []
         self.fault: Fault | None = None
-        self.quote = ""  # the quotation mark within which the scan is
+        self.quote = ""  # the quotation mark within which the scan is, and where it begins
+        self.quoted = Bracket("", 0, 0, 0)
         self.block = -1  # how far the line is indented whose text goes on below
 
     def run(self) -> None:
@@ -64,6 +65,9 @@ class BracketScan:
             if self.block >= 0 and indent > self.block:
                 continue
             self.block = -1
+            if self.by_indent and self.quote and indent <= self.quoted.indent and NEW_NAME.match(line):
+                self.fault = Fault("a quotation mark that is never closed", self.quoted.span, UNQUOTE, "yaml")
+                return
             if self.by_indent and self.open and indent <= self.open[-1].indent and NEW_NAME.match(line):
                 self.fault = self.never_closed(number)
                 return
@@ -108,7 +112,7 @@ class BracketScan:
             if letter == "#" and line[place - 1 : place] in ("", " ", "\t"):
                 return
             if letter in ("'", '"') and line[:place].rstrip()[-1:] in ("", ",", ":", "{", "[", "-"):
-                self.quote = letter
+                self.quote, self.quoted = letter, Bracket(letter, number, place, indent)
             elif letter in CLOSING:
                 self.open.append(Bracket(letter, number, place, indent))
             elif letter in OPENING:

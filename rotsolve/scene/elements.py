@@ -99,7 +99,9 @@ def read_radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> An
             scope.fault(name, f"{quoted(word)} can't be the name of a rim", "use letters, digits and `_`", "name")
             continue
         radius = read_scalar(scope, written, Want(label, "length", "R", f"{owner}_{word}", "positive"))
-        if radius is not None:
+        if radius is None:
+            scope.lost.add(word)
+        else:
             found.append((word, radius))
     sizes = dict(found)
     thick = sizes["outer"] - sizes["inner"] if {"inner", "outer"} <= sizes.keys() else None
@@ -304,7 +306,7 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     check_world(scope, node.key(cls.word) or node, cls)
     required = {word: declared for word, declared in keys_of(cls) if declared.required}
     for word, declared in required.items():
-        if node.key(word) is None:
+        if node.key(word) is None and word not in entries:
             shown = example_here(scope, declared)
             example = f": `{word}: {shown}`" if shown else f": {declared.help}"
             scope.fault(key, f"`{name}` needs `{word}`", f"add it{example}", "missing")

@@ -82,7 +82,7 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
     elif text.replace("_", " ") in BY_NAME and text not in scope.givens:
         kind_as_unit(scope, name, written, BY_NAME[text.replace("_", " ")])
     else:
-        formula = expression(scope, written, Want(name, None, "q", name), None)
+        formula = expression(scope, written, Want(name, None, "q", name, words=("unknown", "number")), None)
         scope.dimensions[name] = None
         if formula is not None:
             made[name] = formula

@@ -26,6 +26,7 @@ from rotsolve.algebra.units.dimension import (
     DimensionError,
     describe,
     dimension_of,
+    kind_of,
 )
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
@@ -263,17 +264,18 @@ def literal_value(scope: Scope, node: Text, want: Want, quantity: UnitValue) -> 
     """A literal quantity, checked, as a number or an automatic letter."""
     text = node.value.strip()
     unit = quantity.unit.text if quantity.unit else ""
-    zero = quantity.value == ZERO
-    if not dimension_holds(scope, node, want, quantity.dimension, text, unit, zero):
+    if not dimension_holds(scope, node, want, quantity.dimension, text, unit, quantity.value):
         return None
     if not limits_hold(scope, node, rough(quantity.value, {}), want, text):
         return None
     return as_letter(scope, node.span, want, quantity)
 
 
-def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text: str, unit: str, zero: bool) -> bool:
+def dimension_holds(
+    scope: Scope, node: Text, want: Want, found: Dimension, text: str, unit: str, formula: Formula | None = None
+) -> bool:
     """Whether a value has the dimension that is wanted; a bare number is no angle, and Hz is no angular velocity."""
-    if want.dimension is None or (zero and found == NUMBER):
+    if want.dimension is None or (formula == ZERO and found == NUMBER):
         return True
     label, shown_text = f"`{want.label}` wants {an(want.dimension)}", quoted(text)
     wanted, letters = DIMENSIONS[want.dimension], givens_in(scope, node)
@@ -287,7 +289,7 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
     else:
         shown = "has no unit" if found == NUMBER else f"is {dimension_in_words(found)}"
         help, message = with_its_unit(want, node, number, letters, found), f"{label}, but {shown_text} {shown}"
-    blame_of_dimension(scope, node, message, help, letters, wanted if found == NUMBER else None)
+    blame_of_dimension(scope, node, message, help, formula, wanted)
     return False
 
 
@@ -309,21 +311,45 @@ def with_its_unit(want: Want, node: Text, number: str, letters: list[str], found
 
 
 def blame_of_dimension(
-    scope: Scope, node: Text, message: str, help: str, letters: list[str], wanted: Dimension | None = None
+    scope: Scope, node: Text, message: str, help: str, formula: Formula | None = None, wanted: Dimension | None = None
 ) -> Nothing:
-    """A dimension that is not the one wanted: with the places where its letters are given, once for a letter that alone is to blame.
+    """A dimension that is not the one `wanted`: with the places where its letters are given, once for a letter that alone is to blame.
 
-    One that was given without its unit is taken from here on for what is `wanted` of it.
+    A letter that was given without its unit, and is all that stands here, is taken for what is wanted from here on.
     """
+    letters = givens_in(scope, node)
+    blamed = next((name for name in letters if hangs_on_blamed(scope, name)), "")
+    name = blamed or to_blame(scope, letters, formula, wanted)
+    plain = scope.dimensions.get(name) == NUMBER and scope.givens[name].unit is None if name else False
+    if name:
+        scope.blamed.add(name)
+    if plain and wanted is not None and name == node.value.strip():
+        scope.dimensions[name] = wanted
+    cause, shown = (f"dimension of {name}", [name]) if name and (blamed or wanted is not None) else ("", letters[:FEW])
+    return scope.fault(node, message, help, "dimension", related=scope.given_at(*shown), cause=cause)
+
+
+def hangs_on_blamed(scope: Scope, name: str) -> bool:
+    """Whether a given has been found wrong, or is made of one that has."""
+    value = scope.givens[name].value
+    return name in scope.blamed or bool(value is not None and value.symbols() & scope.blamed)
+
+
+def to_blame(scope: Scope, letters: list[str], formula: Formula | None, wanted: Dimension | None) -> str:
+    """The one letter with which a formula would be what is wanted if it were of another kind; '' where several might be wrong."""
+    if len(letters) == 1:
+        return letters[0]
     plain = [name for name in letters if scope.dimensions.get(name) == NUMBER and scope.givens[name].unit is None]
-    blamed = next((name for name in letters if name in scope.blamed), "")
-    if len(letters) == 1 or len(plain) == 1:
-        blamed = blamed or (letters[0] if len(letters) == 1 else plain[0])
-        scope.blamed.add(blamed)
-        if wanted is not None and letters == [node.value.strip()]:
-            scope.dimensions[letters[0]] = wanted
-    cause = f"dimension of {blamed}" if blamed else ""
-    return scope.fault(node, message, help, "dimension", related=scope.given_at(*letters[:FEW]), cause=cause)
+    if len(plain) == 1:
+        return plain[0]
+    known = scope.dimensions
+    needed = (
+        {name: infer(formula, [name], {**known, name: None}, wanted) for name in letters} if formula is not None else {}
+    )
+    fitting = [
+        name for name, kind in needed.items() if kind is not None and kind != NUMBER and kind_of(kind) is not None
+    ]
+    return fitting[0] if len(fitting) == 1 else ""
 
 
 def as_letter(scope: Scope, span: Span, want: Want, quantity: UnitValue) -> Formula:

@@ -18,16 +18,46 @@ from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.elements.events import EVENTS
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.elements.surfaces import SURFACES
-from rotsolve.language.grammar import BODY, PHASE, SECTIONS
+from rotsolve.language.grammar import BODY, IS, PHASE, SECTIONS, WHICH
 from rotsolve.language.keys import keys_of
-from rotsolve.language.words import hint, nearest_name, quoted
+from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.scope import Scope
-from rotsolve.scene.traps import null_fault
+from rotsolve.scene.traps import null_fault, without_colon
 from rotsolve.scene.tree import List, Map, Node, Text
 
 Entry = tuple[Text, Node]
-NAMING = ("given", "surfaces", "bodies", "connections", "actions", "states", "phases", "events", "find")
+NAMING = (
+    "given",
+    "surfaces",
+    "bodies",
+    "connections",
+    "actions",
+    "states",
+    "phases",
+    "events",
+    "find",
+    "answers",
+    "marking",
+    "vary",
+)
 ASSIGNED = re.compile(r"(?P<name>[A-Za-z]\w*(?:\.\w+)*)(?:\s*=\s*|:|\s+)(?P<value>\S.*)", re.DOTALL)
+ONE = {
+    "surfaces": "surface",
+    "bodies": "body",
+    "connections": "connection",
+    "actions": "action",
+    "events": "event",
+    "states": "state",
+}
+ELEMENTS: dict[str, list[type[Any]]] = {
+    "surfaces": SURFACES,
+    "connections": CONNECTIONS,
+    "actions": ACTIONS,
+    "events": EVENTS,
+}
+AT_REST = "at rest"
+PATH = re.compile(r"[A-Za-z]\w*(?:\.\w+)+")
+LIKE = 0.75  # how like a section a word is that is taken for it
 WHOLE, REST = re.compile(r"[-+−]?\d+"), re.compile(r"\d+(\s*[^\W\d].*|\s*)")
 
 
@@ -36,7 +66,8 @@ def mended(root: Map, scope: Scope) -> Map:
     root = with_values(replace(root, entries=tuple((key, each_map(node, scope)) for key, node in root.entries)), scope)
     root = indented_below(root, SECTIONS, scope)
     root = by_their_names(root, scope)
-    return replace(root, entries=tuple((key, mended_section(key, node, scope)) for key, node in root.entries))
+    root = replace(root, entries=tuple((key, mended_section(key, node, scope)) for key, node in root.entries))
+    return in_their_sections(root, scope)
 
 
 def each_map(node: Node, scope: Scope) -> Node:
@@ -65,35 +96,59 @@ def with_values(node: Map, scope: Scope) -> Map:
             whole = f"{before.value.strip()}.{key.value}"
             scope.faults.append(null_fault(key.value, key.span, before.value))
             entries[-1] = (entries[-1][0], Text(whole, before.span, True, False))
-        elif (said := ASSIGNED.fullmatch(key.value)) and key.value != "at rest":
+        elif (said := ASSIGNED.fullmatch(key.value)) and key.value != AT_REST:
             scope.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
-            entries.append((key.cut(*said.span("name")), key.cut(*said.span("value"))))
+            value = key.cut(*said.span("value"))
+            quotes = value.value[:1] in ("'", '"') and value.value[-1:] == value.value[:1] and len(value.value) > 1
+            entries.append((key.cut(*said.span("name")), value.cut(1, len(value.value) - 1) if quotes else value))
         else:
             entries.append((key, value))
     return replace(node, entries=tuple(entries))
 
 
 def indented_below(node: Map, own: Collection[str], scope: Scope, below: Collection[str] = ()) -> Map:
-    """A map in which entries that can't be its own are those of the empty one before them: of a scene what is no section, of a section
-    what is `below` its entries."""
+    """A map in which entries that can't be its own are those of the one before them: of a scene what is no section, of a section what is
+    `below` its entries."""
     entries: list[Entry] = []
-    taken: list[Entry] = []
+    begun = False  # whether what is not indented has been told of the last entry
     for key, value in node.entries:
-        last = entries[-1] if entries else None
         belongs = key.value in below if below else key.value not in own
-        names = last is not None and (bool(below) or last[0].value in NAMING)
-        if last is None or not names or not belongs or is_empty(value) or not (taken or is_empty(last[1])):
-            taken = []
+        if not (entries and belongs and not is_empty(value) and goes_on(entries[-1], key, value, below)):
+            begun = False
             entries.append((key, value))
             continue
-        if not taken:
-            begin = Related(last[0].span, f"`{last[0].value}` begins here")
-            help = "put two blanks in front of it, and of what follows that belongs to it"
-            message = f"{quoted(key.value)} is not indented below `{last[0].value}`, to which it belongs"
-            scope.fault(key, message, help, "form", related=(begin,))
-        taken += [(key, value)] if below else beside(key, value, frozenset(words_below(last[0].value)))
-        entries[-1] = (last[0], Map(tuple(taken), taken[0][0].span))
+        (name, held), begun = entries[-1], begun or told_indent(entries[-1][0], key, scope)
+        taken = held.entries if isinstance(held, Map) else ()
+        more = [(key, value)] if below else beside(key, value, frozenset(words_below(name.value)))
+        entries[-1] = (name, Map((*taken, *more), held.span if taken else key.span))
     return replace(node, entries=tuple(entries))
+
+
+def told_indent(name: Text, key: Text, scope: Scope) -> bool:
+    """The fault of a name that is not indented below the one to which it belongs."""
+    begin = Related(name.span, f"`{name.value}` begins here")
+    help = "put two blanks in front of it, and of what follows that belongs to it"
+    message = f"{quoted(key.value)} is not indented below `{name.value}`, to which it belongs"
+    scope.fault(key, message, help, "form", related=(begin,))
+    return True
+
+
+def goes_on(last: Entry, key: Text, value: Node, below: Collection[str]) -> bool:
+    """Whether an entry can be one of those of the name before it: of one that has none, or of a section with lines like it."""
+    name, held = last
+    if is_empty(held) or below:
+        return is_empty(held) and (bool(below) or name.value in NAMING)
+    if not isinstance(held, Map) or name.value not in NAMING or nearest_name(key.value, SECTIONS, LIKE) is not None:
+        return False
+    if held.span.line == name.span.line or not held.entries:  # in brackets
+        return False
+    if name.value == home_of(value):
+        return True
+    inner = frozenset(words_below(name.value))
+    kind = Map if inner else type(held.entries[-1][1])
+    return isinstance(value, kind) and (
+        not isinstance(value, Map) or not inner or any(word.value in inner for word, _ in value.entries)
+    )
 
 
 def beside(key: Text, value: Node, below: Collection[str]) -> list[Entry]:
@@ -111,7 +166,7 @@ def by_their_names(root: Map, scope: Scope) -> Map:
     entries: dict[str, Entry] = {}
     more: list[Entry] = []
     for key, value in root.entries:
-        guess = nearest_name(key.value, SECTIONS) if key.value not in SECTIONS else None
+        guess = nearest_name(key.value, SECTIONS, LIKE) if key.value not in SECTIONS else None
         if guess is not None and guess not in names and not is_empty(value):
             scope.fault(key, f"unknown key {quoted(key.value)} in a scene", hint(key.value, SECTIONS, "keys"), "key")
             names.add(guess)
@@ -123,7 +178,9 @@ def by_their_names(root: Map, scope: Scope) -> Map:
             here = Related(first[0].span, "the first is here")
             help = "put all of them below the first: YAML would keep only one"
             scope.fault(key, f"{quoted(key.value)} stands twice in a scene", help, "duplicate", related=(here,))
-            entries[key.value] = (first[0], replace(first[1], entries=(*first[1].entries, *value.entries)))
+            told = {entry.value for entry, _ in first[1].entries}
+            own = (entry for entry in value.entries if entry[0].value not in told)
+            entries[key.value] = (first[0], replace(first[1], entries=(*first[1].entries, *own)))
         else:
             more.append((key, value))
     return replace(root, entries=(*entries.values(), *more))
@@ -137,19 +194,94 @@ def mended_section(key: Text, node: Node, scope: Scope) -> Node:
             help = "leave out the `-` and the brackets of a list: write `name: value` lines"
             scope.fault(node, f"`{key.value}` wants `name: value` lines, but this is a list", help, "form")
             return Map(tuple(entry for entries in parts for entry in entries), node.span)
+    said = (
+        ASSIGNED.fullmatch(node.value.strip())
+        if key.value in NAMING and isinstance(node, Text) and node.exact
+        else None
+    )
+    if isinstance(node, Text) and said is not None:
+        scope.faults.append(without_colon(node.value, node.span))
+        return Map(((node.cut(*said.span("name")), node.cut(*said.span("value"))),), node.span)
     below = frozenset(words_below(key.value))
     return indented_below(node, (), scope, below) if below and isinstance(node, Map) else node
 
 
 def words_below(section: str) -> Iterator[str]:
     """The keys of what a section holds."""
-    tables: dict[str, list[type[Any]]] = {
-        "surfaces": SURFACES,
-        "connections": CONNECTIONS,
-        "actions": ACTIONS,
-        "events": EVENTS,
-        "bodies": SHAPES,
-    }
+    tables = {**ELEMENTS, "bodies": SHAPES}
     for cls in tables.get(section, ()):
         yield from (word for word, _ in keys_of(cls))
     yield from {"bodies": BODY, "phases": PHASE}.get(section, ())
+
+
+def in_their_sections(root: Map, scope: Scope) -> Map:
+    """A scene in which what plainly belongs into another section stands there."""
+    joints = frozenset(key.value for name, node in root.entries if name.value == "connections" for key in keys_in(node))
+    kept: dict[str, list[Entry]] = {}
+    moved: dict[str, list[Entry]] = {}
+    for section, node in root.entries:
+        entries = node.entries if section.value in (*ONE, "find") and isinstance(node, Map) else ()
+        for key, value in entries:
+            home = home_of(value) if not at_home(section.value, value, joints) else ""
+            if home and home != section.value:
+                what = f"{an(ONE[home])}" if home in ONE else "a question" if home == "find" else "an answer"
+                message = f"`{key.value}` is {what}, and stands below `{section.value}`"
+                scope.fault(key, message, f"put its line below `{home}:`", "key")
+                moved.setdefault(home, []).append((key, value))
+                kept.setdefault(section.value, list(entries)).remove((key, value))
+    if not moved:
+        return root
+    found: list[Entry] = []
+    for key, node in root.entries:
+        own = kept.get(key.value, list(node.entries) if isinstance(node, Map) else [])
+        whole = [
+            *own,
+            *(entry for entry in moved.pop(key.value, ()) if entry[0].value not in {word.value for word, _ in own}),
+        ]
+        found.append(
+            (key, Map(tuple(whole), node.span) if isinstance(node, Map) or (whole and is_empty(node)) else node)
+        )
+    scope.lost.update(key.value for entries in moved.values() for key, _ in entries)
+    return replace(root, entries=tuple(found))
+
+
+def keys_in(node: Node) -> Iterator[Text]:
+    """The keys of a map; none of anything else."""
+    yield from (key for key, _ in (node.entries if isinstance(node, Map) else ()))
+
+
+def at_home(section: str, value: Node, joints: Collection[str]) -> bool:
+    """Whether a section may have such an entry, right or not; states name connections in their lines, which are called as they like."""
+    if isinstance(value, Text):
+        resting = value.value.strip() == AT_REST and section in ELEMENTS
+        return section == "find" or not (resting or PATH.match(value.value.strip()))
+    if not isinstance(value, Map) or not value.entries:
+        return True
+    words = [key.value for key in keys_in(value)]
+    if section == "find":
+        return WHICH in words or IS in words
+    if section == "states":
+        return any(state_line(word) or word in joints for word in words)
+    if section in ELEMENTS:
+        return any(cls.word in words for cls in ELEMENTS[section])
+    return not frozenset(words_below(section)).isdisjoint(words)
+
+
+def state_line(word: str) -> bool:
+    """Whether a key is a line of a state: a path, or a word that only states have."""
+    return PATH.match(word) is not None or word in (AT_REST, "balance", "steady", "time") or " of " in word
+
+
+def home_of(value: Node) -> str:
+    """The section to which an entry belongs; '' where it is not plain."""
+    if isinstance(value, Text):
+        return "states" if value.value.strip() == AT_REST else "find"
+    words = [key.value for key in keys_in(value)]
+    if {"formula", "value"} & set(words):
+        return "answers"
+    named = [section for section, table in ELEMENTS.items() if any(cls.word in words for cls in table)]
+    if len(named) == 1:
+        return named[0]
+    if {"shape", "mass", "inertia"} & set(words):
+        return "bodies"
+    return "states" if any(state_line(word) for word in words) else ""

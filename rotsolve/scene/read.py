@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +16,7 @@ from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.language.grammar import APPROXIMATIONS, SECTIONS
 from rotsolve.language.problem import SMALL_BESIDE, Given, Problem, references
-from rotsolve.language.words import quoted
+from rotsolve.language.words import nearest_name, quoted
 from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
@@ -95,7 +95,7 @@ def read_tree(
     scope = Scope()
     root = mended(root, scope) if isinstance(root, Map) else root
     problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
-    scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None else ())
+    scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None and not scope.blamed else ())
     if scope.faults:
         from rotsolve.scene.aftermath import first_causes  # only a faulty scene pays for it
 
@@ -174,7 +174,9 @@ class Sections:
         given = self.node("given")
         item = given.get(name) if isinstance(given, Map) else None
         listed = [entry.value for entry in self.unknown() if isinstance(entry, Text)]
-        return (isinstance(item, Text) and item.value.strip() == "unknown") or name in listed
+        text = item.value.strip() if isinstance(item, Text) else ""
+        nearly = text[:2] == "un" and text.isalpha() and nearest_name(text, ("unknown",)) is not None
+        return text == "unknown" or nearly or name in listed
 
     def problem(self, file: str, lines: tuple[str, ...]) -> Problem | None:
         """All sections; None when the root is no map."""
@@ -205,7 +207,7 @@ class Sections:
         fields["assume"] = self.assume()
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
-        fields["answers"] = self.answers(asked)
+        fields["answers"] = self.answers(asked, asked.keys() - {find.name for find in fields["finds"]})
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
         problem = Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
@@ -255,12 +257,14 @@ class Sections:
             asked.setdefault(key.value, None)
         return tuple(find for find in found if find is not None)
 
-    def answers(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+    def answers(self, asked: dict[str, Any], unread: Container[str]) -> tuple[Any, ...]:
+        """The published answers, but for those of questions that could not be read."""
         node = self.node("answers")
-        if node is None:
+        if node is None or not (asked or isinstance(self.node("find"), Map)):
             return ()
-        entries = self.scope.entries(node, "`answers`", asked)
-        found = [read_published(self.scope, name, key, item, asked) for name, (key, item) in entries.items()]
+        entries = self.scope.entries(node, "`answers`", asked, own=True)
+        known = [entry for entry in entries.items() if entry[0] not in unread]
+        found = [read_published(self.scope, name, key, item, asked) for name, (key, item) in known]
         return tuple(answer for answer in found if answer is not None)
 
     def text(self, name: str) -> str:

@@ -109,7 +109,11 @@ class Scope:
         """Enter a name; it must be new in the whole file. One that it can't have is read as if it could, where that goes."""
         word = name.value
         if not NAME.fullmatch(word):
-            self.lost.add(word)
+            self.lost.update((word, re.split(r"[\s:{\[]", word)[0]))
+            if before := re.match(r"(\w+)\s*([{\[])", word):
+                help = f"write `{before[1]}: {before[2]}`"
+                self.fault(name, f"no colon behind `{before[1]}`", help, "yaml")
+                return False
             help = "a name is letters, digits and `_`, begins with a letter and has at most 40 characters"
             self.fault(
                 name, f"{quoted(word)} can't be a name", f"{spelt(word, {*self.kinds, *RESERVED})}{help}", "name"
@@ -123,10 +127,11 @@ class Scope:
             help = f"choose another name, as `{word}_1`"
             self.fault(name, f"`{word}` can't be a name{taken}", help, "name")
         elif word in self.kinds:
-            before = self.places.get(word)
+            first = self.places.get(word)
             self.conflicts.add(word)
             self.lost.add(word)
-            place = f" in line {before.line}" if before else ""
+            self.doubled.append(name)
+            place = f" in line {first.line}" if first else ""
             message = f"`{word}` already names {an(self.kinds[word])}{place}"
             self.fault(name, message, "a name is used once in the whole file", "name", related=self.given_at(word))
             return False
@@ -155,9 +160,10 @@ class Scope:
         return tuple(Related(span, f"`{name}` is given here") for name, span in known)
 
     def entries(
-        self, node: Node, what: str, allowed: Iterable[str] | None = None, owner: str = ""
+        self, node: Node, what: str, allowed: Iterable[str] | None = None, *, own: bool = False
     ) -> dict[str, tuple[Text, Node]]:
-        """The entries of a map by name; duplicates, unknown keys and missing values are faults and left out."""
+        """The entries of a map by name, the scene's `own` or keys of the language; duplicates, unknown keys and missing values are faults
+        and left out."""
         if not isinstance(node, Map):
             found = "nothing" if isinstance(node, Text) and node.empty else node.shown
             self.fault(node, f"{what} wants `name: value` lines, but this is {found}", "write `{name: value}`", "form")
@@ -174,7 +180,8 @@ class Scope:
             elif isinstance(value, Text) and value.empty:
                 self.missing_value(key, node)
             elif names is not None and word not in names:
-                self.fault(key, f"unknown key {quoted(word)} in {what}", hint(word, names, "keys"), "key")
+                cause = f"{UNKNOWN}{word}" * own
+                self.fault(key, f"unknown key {quoted(word)} in {what}", hint(word, names, "keys"), "key", cause=cause)
                 self.lost.update(entry.value for entry, _ in (value.entries if isinstance(value, Map) else ()))
                 guess = nearest_name(word, names)
                 if guess is not None and node.key(guess) is None and guess not in result:

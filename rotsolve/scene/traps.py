@@ -7,7 +7,7 @@ from typing import Any
 
 from rotsolve.core.faults import Fault, Related, Span
 from rotsolve.language.words import quoted
-from rotsolve.scene.brackets import misfit
+from rotsolve.scene.brackets import UNQUOTE, misfit
 
 QUOTE = "put the text in quotes"
 DEPTH = 40
@@ -133,7 +133,7 @@ def explained(problem: str, line: str, column: int) -> tuple[str, str]:
     if "undefined alias" in problem or "alias or anchor" in problem or "expected alphabetic or numeric" in problem:
         return "a value that starts with `*` or `&`", QUOTE
     if "quoted scalar" in problem or "found unexpected end of stream" in problem:
-        return "a quotation mark that is never closed", "close it, or leave both out"
+        return "a quotation mark that is never closed", UNQUOTE
     if "expected ',' or" in problem:
         return no_comma(line, column)
     if "expected ':'" in problem:

@@ -38,7 +38,6 @@ from rotsolve.scene.literals import (
     asked_letter,
     blame_of_dimension,
     dimension_holds,
-    givens_in,
     infer,
     lexemes,
     limits_hold,
@@ -180,7 +179,9 @@ def formula_fault(
             )
         scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", help, "formula")
     elif names_unit(wrong):
-        help = f"write `2 {wrong}`, or choose a letter for it"
+        other = next((name for name in letters if name.lower() == wrong.lower()), "")
+        help = f"did you mean `{other}`? else {{}}" if other else "{}"
+        help = help.format(f"write `2 {wrong}`, or choose a letter for it")
         scope.fault(span, f"`{wrong}` is a unit without a number", help, "unit", cause=f"{UNKNOWN}{wrong}")
     else:
         scope.unknown(span, wrong, "letter", [*letters, *want.words], "givens")
@@ -260,7 +261,7 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
     unit = given.unit.text if given and given.unit else ""
     if given is not None and given.value is not None:
         shown = f"{shown} = {given.text}"
-    return dimension_holds(scope, node, want, dimension, shown, unit, formula == ZERO)
+    return dimension_holds(scope, node, want, dimension, shown, unit, formula)
 
 
 def turned_letters(formula: Formula) -> set[str]:
@@ -291,7 +292,7 @@ def agreed_dimension(
     except DimensionError as error:
         message = as_written(scope, formula, error.message)
         whole = f"the dimensions in {quoted(node.value)} don't agree: {message}"
-        return blame_of_dimension(scope, node, whole, help, givens_in(scope, node))
+        return blame_of_dimension(scope, node, whole, help)
 
 
 def as_written(scope: Scope, formula: Formula, message: str) -> str:

@@ -72,9 +72,21 @@ FILES: list[tuple[str, Any, str]] = [
         "error: the byte 93 is not UTF-8: in Windows-1252 it is `“`\n  --> x.yaml:2:9\n 2 | source: “Räder”\n   |         ^\n"
         "help: save the file as UTF-8\n",
     ),
-    ("UTF-16", "title: x\n".encode("utf-16"), "error: the file is UTF-16, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n"),
-    ("UTF-16 without its mark", "title: x\n".encode("utf-16-be"), "error: the file is UTF-16, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n"),
-    ("UTF-32", "title: x\n".encode("utf-32"), "error: the file is UTF-32, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n"),
+    (
+        "UTF-16",
+        "title: x\n".encode("utf-16"),
+        "error: the file is UTF-16, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n",
+    ),
+    (
+        "UTF-16 without its mark",
+        "title: x\n".encode("utf-16-be"),
+        "error: the file is UTF-16, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n",
+    ),
+    (
+        "UTF-32",
+        "title: x\n".encode("utf-32"),
+        "error: the file is UTF-32, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n",
+    ),
     (
         "10 MB",
         b"# nothing\n" * 1_000_000,

@@ -103,7 +103,7 @@ def test_a_file_that_is_not_there(tmp_path: Path) -> None:
         ({"q": "3 kg"}, "error: --set `q`: no such given\n  --> s.yaml\nhelp: givens: m, M, R, mu"),
         ({"m": "3 m"}, "error: --set m: `m` is a mass (kg) in the file, but this is a length (m)\n  --> s.yaml"),
         ({"m": "3 kgg"}, "error: --set: unknown unit `kgg`\n  --> s.yaml\nhelp: did you mean `kg`?"),
-        ({"m": "Q"}, "error: --set: unknown letter `Q`\n  --> s.yaml\nhelp: givens: m, M, R, mu"),
+        ({"m": "Q"}, "error: --set: unknown letter `Q`\n  --> s.yaml\nhelp: givens: m, M, R, mu, unknown, number"),
     ],
 )
 def test_settings(settings: dict[str, str], message: str) -> None:

@@ -14,7 +14,7 @@ from rotsolve.scene.read import read_text
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENES = sorted((ROOT / "problems").rglob("*.yaml"))
-MOST = 2  # faults that one mistake may bring
+MOST_EVER = 6  # faults that one mistake brings: a line that is elsewhere may be missed in many places
 OTHER_UNITS = ("kg", "m", "s", "N", "rad/s", "J")
 Mistake = Callable[[random.Random, str], str]  # the text with one mistake, or as it was where there is no place for it
 
@@ -95,10 +95,37 @@ def faults_of(text: str) -> tuple[Fault, ...]:
 def changed_lines(before: str, after: str) -> set[int]:
     """The lines, from 1, in which two texts differ, and those that follow at once."""
     old, new = before.split("\n"), after.split("\n")
-    same = next((k for k, (one, other) in enumerate(zip(old, new, strict=False)) if one != other), min(len(old), len(new)))
+    same = next(
+        (k for k, (one, other) in enumerate(zip(old, new, strict=False)) if one != other), min(len(old), len(new))
+    )
     return {same, same + 1, same + 2, same + 3}
 
 
 def places(fault: Fault) -> set[int]:
     """The lines of which a fault speaks."""
     return {span.line for span in (fault.span, *(other.span for other in fault.related)) if span is not None}
+
+
+def test_the_scenes_have_no_faults() -> None:
+    assert len(SCENES) > 400
+    assert [path.name for path in SCENES if faults_of(path.read_text(encoding="utf-8"))] == []
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_each_mistake_is_told_once_at_its_place(mistake: str, pytestconfig: pytest.Config) -> None:
+    """In many scenes, drawn with a seed: few faults for one mistake, nearly always one, which speaks of the line that was changed."""
+    chance = random.Random(f"{mistake} in a scene")
+    drawn, faulty, alone, there = 0, 0, 0, 0
+    while drawn < (400 if pytestconfig.getoption("exhaustive") else 40):
+        text = chance.choice(SCENES).read_text(encoding="utf-8")
+        wrong = MISTAKES[mistake](chance, text)
+        drawn += 1
+        found = faults_of(wrong) if wrong != text else ()
+        if found:
+            faulty += 1
+            alone += len(found) == 1
+            there += bool(changed_lines(text, wrong) & set().union(*(places(fault) for fault in found)))
+            assert len(found) <= MOST_EVER, wrong
+    assert faulty >= drawn // 4
+    assert alone >= 0.9 * faulty
+    assert there >= 0.9 * faulty
