@@ -37,7 +37,11 @@ def held_at(configuration: Configuration, state: str) -> set[str]:
     """The bodies that something holds that is none: the ground, a surface, an axle or a place that is fixed."""
     bodies = configuration.bodies
     held = {name for name in bodies if configuration.pivot(configuration.host(name, state), state) is not None}
-    for item in configuration.connections(state):
+    items = configuration.connections(state)
+    for body in configuration.present(state):  # on rails of its own
+        if configuration.line(body.name, state) is not None and not any(item.hangs(body) for item in items):
+            held.add(configuration.host(body.name, state))
+    for item in items:
         owners = {ref.owner for ref in item.touches()}
         if not owners <= bodies.keys() or len(item.touches()) == 1:
             held |= {configuration.host(name, state) for name in owners & bodies.keys()}

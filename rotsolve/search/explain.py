@@ -33,6 +33,7 @@ from rotsolve.plan import Shortage
 from rotsolve.search.answers import CHECK_DATA, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
+from rotsolve.search.uncovered import why_uncovered
 from rotsolve.solver import ENTANGLED
 
 
@@ -131,7 +132,8 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     alone = "" if NEWTON in search.families else f" by {FAMILIES[search.families[0]].words} alone"
     missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, search.scene)
     if other := law_that_gives(find, search) if search.thorough else "":
-        message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`"
+        reason = why_uncovered(search.families[0], find, search.scene)
+        message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`: {reason}".removesuffix(": ")
         return unsolvable(problem, message, find.span, other)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
