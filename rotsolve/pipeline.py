@@ -190,6 +190,8 @@ def beside_unheld(fault: Fault, problem: Problem) -> Fault:
     """A refusal with the bodies that nothing holds, of which it may come; what is not solved is no fault of the scene."""
     from rotsolve.motion.unheld import unheld, what_would_hold
 
+    if fault.help and fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
+        return fault
     names: tuple[str, ...] = ()
     with suppress(Unsolvable):  # what can't be arranged has a fault of its own
         names = () if fault.kind == UNSOLVED or problem.space else unheld(configured(problem))

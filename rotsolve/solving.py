@@ -375,9 +375,9 @@ def check_consistent(search: Search) -> KnownBalls:
         raise turns_back(back, search.scene.configuration.problem)
     broken, balls = contradiction(search)
     if broken is not None:
-        from rotsolve.search.explain import contradicted
+        from rotsolve.search.explain import contradicted, with_way
 
-        raise contradicted(broken, search.scene)
+        raise with_way(contradicted(broken, search.scene), search)
     if search.scene.encounters:
         from rotsolve.derivation.requirements import let_go
 

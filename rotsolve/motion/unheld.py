@@ -11,19 +11,30 @@ from rotsolve.motion.configuration import Configuration
 
 
 def unheld(configuration: Configuration) -> tuple[str, ...]:
-    """The bodies with an extent that nothing holds at the first state, in a plane in which things fall."""
+    """The bodies with an extent that nothing holds at the first state, in a plane in which things fall, if the scene speaks of them."""
     problem = configuration.problem
     if problem.space or not configuration.heavy:
         return ()
     state = configuration.timeline.states[0].name
-    return tuple(
+    spoken_of = bodies_spoken_of(problem)
+    found = tuple(
         body.name
         for body in configuration.present(state)
         if not is_particle(body)
         and configuration.host(body.name, state) == body.name
         and not (together := configuration.component(body.name, state)) & held_at(configuration, state)
         and not together & led(problem)
+        and (not spoken_of or together & spoken_of)
     )
+    return found if spoken_of or len(found) == len(problem.bodies) else ()
+
+
+def bodies_spoken_of(problem: Problem) -> set[str]:
+    """The bodies of which states tell something, or after which is asked, by their own names or those of what ties them."""
+    asked = {term.path.owner for find in problem.finds for term in find.terms}
+    told = {line.path.owner for state in problem.states for line in state.conditions if line.path is not None}
+    ties = {item.name: {ref.owner for ref in item.touches()} for item in (*problem.connections, *problem.actions)}
+    return {name for owner in asked | told for name in ties.get(owner, {owner}) if name}
 
 
 def is_particle(body: Body) -> bool:
