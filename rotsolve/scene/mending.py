@@ -94,7 +94,10 @@ def with_values(node: Map, scope: Scope) -> Map:
             entries.append((key, value))
         elif isinstance(before, Text) and WHOLE.fullmatch(before.value.strip()) and REST.fullmatch(key.value):
             whole = f"{before.value.strip()}.{key.value}"
-            scope.faults.append(null_fault(key.value, key.span, before.value))
+            fault, start = null_fault(key.value, key.span, before.value), before.span
+            if start.line == key.span.line:
+                fault = replace(fault, span=replace(start, length=key.span.column + key.span.length - start.column))
+            scope.faults.append(fault)
             entries[-1] = (entries[-1][0], Text(whole, before.span, True, False))
         elif (said := ASSIGNED.fullmatch(key.value)) and key.value != AT_REST:
             scope.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
@@ -113,7 +116,7 @@ def indented_below(node: Map, own: Collection[str], scope: Scope, below: Collect
     begun = False  # whether what is not indented has been told of the last entry
     for key, value in node.entries:
         belongs = key.value in below if below else key.value not in own
-        if not (entries and belongs and not is_empty(value) and goes_on(entries[-1], key, value, below)):
+        if not (entries and belongs and not is_empty(value) and (begun or goes_on(entries[-1], key, value, below))):
             begun = False
             entries.append((key, value))
             continue

@@ -148,6 +148,8 @@ class Sections:
 
     def declare(self) -> None:
         """Enter all names of the file, so that order doesn't matter; a `find` may have the name of an unknown given."""
+        nodes = [self.node(section) for section in NAMED]
+        self.scope.written = frozenset(key.value for node in nodes if isinstance(node, Map) for key, _ in node.entries)
         for item in self.unknown():
             if isinstance(item, Text):
                 self.scope.declare(item, "given")

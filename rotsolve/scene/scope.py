@@ -75,7 +75,10 @@ class Scope:
         self.conflicts: set[str] = set()  # names used twice: what they name can't be told
         self.blamed: set[str] = set()  # givens whose dimension has been found wrong
         self.lost: set[str] = set()  # names of what could not be read: that they are not known follows from that
-        self.doubled: list[Text] = []  # names that stand twice beside each other
+        self.written: frozenset[str] = (
+            frozenset()
+        )  # all names that the sections give, also those that are entered later
+        self.doubled: list[Text] = []  # names that can't be, since they stand twice or say something else
         self.guessed: list[Node] = []  # values that are read under another key than they have
 
     def fault(
@@ -109,14 +112,18 @@ class Scope:
         """Enter a name; it must be new in the whole file. One that it can't have is read as if it could, where that goes."""
         word = name.value
         if not NAME.fullmatch(word):
+            self.doubled.append(name)
             self.lost.update((word, re.split(r"[\s:{\[]", word)[0]))
             if before := re.match(r"(\w+)\s*([{\[])", word):
-                help = f"write `{before[1]}: {before[2]}`"
+                help = f"write `{before[1]}: {word[before.start(2) :]}`"
                 self.fault(name, f"no colon behind `{before[1]}`", help, "yaml")
                 return False
             help = "a name is letters, digits and `_`, begins with a letter and has at most 40 characters"
             self.fault(
-                name, f"{quoted(word)} can't be a name", f"{spelt(word, {*self.kinds, *RESERVED})}{help}", "name"
+                name,
+                f"{quoted(word)} can't be a name",
+                f"{spelt(word, {*self.kinds, *self.written, *RESERVED})}{help}",
+                "name",
             )
             return False
         taken = f": it is {RESERVED[word]}" if word in RESERVED else ""
@@ -124,6 +131,7 @@ class Scope:
             taken = f" in space: `in {word} axes` means others"
         if taken:
             self.lost.add(word)
+            self.doubled.append(name)
             help = f"choose another name, as `{word}_1`"
             self.fault(name, f"`{word}` can't be a name{taken}", help, "name")
         elif word in self.kinds:

@@ -29,6 +29,10 @@ def tag(name: str, span: Span) -> Fault:
     return Fault(message, span, f"for a text that starts with `!`, {QUOTE}", "yaml")
 
 
+def merge(span: Span) -> Fault:
+    return Fault("`<<` is a YAML merge, which scenes don't use", span, "write the keys themselves", "yaml")
+
+
 def no_yaml(problem: str) -> Fault:
     return Fault(f"this is not YAML: {problem}", None, "see docs/language.md for a scene to start from", "yaml")
 
@@ -52,6 +56,8 @@ def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
     )
     if bare is not None:
         return bare
+    if "expected ',' or" in problem and re.search(r"[\]}]\s*$", line[: mark.column]) is None:
+        return no_comma(mark, line)
     message, help = explained(problem, line, mark.column)
     return Fault(message, Span(mark.line + 1, mark.column + 1), help, "yaml")
 
@@ -135,7 +141,7 @@ def explained(problem: str, line: str, column: int) -> tuple[str, str]:
     if "quoted scalar" in problem or "found unexpected end of stream" in problem:
         return "a quotation mark that is never closed", UNQUOTE
     if "expected ',' or" in problem:
-        return no_comma(line, column)
+        return "a comma is missing", "write `{a: 1, b: 2}` and `[a, b]`"
     if "expected ':'" in problem:
         return "a name without `: value`", "write `name: value`, with a space after the colon"
     if "nesting depth" in problem:  # PyYAML 6.0.4 reads ahead of its events, and gives up by itself at 1000 levels
@@ -145,19 +151,19 @@ def explained(problem: str, line: str, column: int) -> tuple[str, str]:
     return f"this is not YAML: {problem}", "check indentation, brackets and quotation marks"
 
 
-def no_comma(line: str, column: int) -> tuple[str, str]:
+def no_comma(mark: Any, line: str) -> Fault:
     """Within brackets something follows a value: a bracket of its own, or the next name without a comma before it."""
-    here = line[column : column + 1]
+    here, place = line[mark.column : mark.column + 1], Span(mark.line + 1, mark.column + 1)
     if here in ("[", "{"):
         help = f'{QUOTE} within `{{…}}`: "b.inertia along [1, 0, 1]"; or a comma is missing'
-        return f"a `{here}` inside a text", help
-    before, name = re.fullmatch(r"(.*?)([\w.]*)", line[:column], re.DOTALL).groups()  # type: ignore[union-attr]
+        return Fault(f"a `{here}` inside a text", place, help, "yaml")
+    before, name = re.fullmatch(r"(.*?)([\w.]*)", line[: mark.column], re.DOTALL).groups()  # type: ignore[union-attr]
     if before.rstrip().endswith(";"):
-        return f"`;` before `{name}`, where a comma is wanted", f"write `, {name}`"
-    return (
-        (f"no comma before `{name}`", f"write `, {name}`")
-        if name
-        else ("a comma is missing", "write `{a: 1, b: 2}` and `[a, b]`")
+        return Fault("`;` where a comma is wanted", Span(mark.line + 1, len(before.rstrip())), "write `,`", "yaml")
+    if not name:
+        return Fault("a comma is missing", place, "write `{a: 1, b: 2}` and `[a, b]`", "yaml")
+    return Fault(
+        f"no comma before `{name}`", Span(mark.line + 1, len(before) + 1, len(name)), f"write `, {name}`", "yaml"
     )
 
 

@@ -234,7 +234,7 @@ def told_foreign(scope: Scope, node: Text) -> bool:
     try:
         parse_quantity(node.value)
     except UnitError as error:
-        unit_fault(scope, node, error)
+        scope.fault(node, error.message, f"did you mean `{error.suggestion}`?" if error.suggestion else "", "unit")
         return True
     return False
 
