@@ -14,17 +14,19 @@ from rotsolve.scene.tree import List, Map, Node, Text
 
 UNTOLD = re.compile(r"^(?:title|source|text):.*|(?:^|\s)#.*")  # of a line: what names nothing
 ROOTS = ("name", "duplicate", "yaml", "key")  # kinds of faults that stand at what is not read themselves
+PATHS = ("path", "point")  # kinds of faults of what is said with a name of what has faults
 SIDES = re.compile(r"[^\s,\[\]{}()]")  # what belongs to a word in the file, with its points
 
 
 def first_causes(scope: Scope, lines: Sequence[str]) -> list[Fault]:
     """The faults of a file without those that follow from others."""
-    lost = names_in_words(scope.lost)
+    lost, half = names_in_words(scope.lost), names_in_words(scope.half_read)
     guessed = [extent(node) for node in scope.guessed]
     kept = [
         fault
         for fault in scope.faults
         if fault.kind in ROOTS or not (names_lost(fault.span, lines, lost) or stands_in(fault.span, guessed))
+        if fault.kind not in PATHS or not names_lost(fault.span, lines, half)
     ]
     return [used_nowhere(fault, scope, lines) for fault in without_doubled(kept, scope)]
 

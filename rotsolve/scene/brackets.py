@@ -11,12 +11,12 @@ import re
 from msgspec import Struct
 
 from rotsolve.core.faults import Fault, Related, Span
+from rotsolve.scene.traps import UNQUOTE
 
 CLOSING = {"{": "}", "[": "]"}
 OPENING = {closing: opening for opening, closing in CLOSING.items()}
 HEAD = re.compile(r"(?P<indent>\s*)(?:-\s+)*(?:[^\s#'\"\[\]{},][^#\[\]{}\"]*?:(?:\s+|$))?")
 NEW_NAME = re.compile(r"\s*(?:-\s+)?[^\s\[\]{},#'\":][^\[\]{},#]*?:(?:\s|$)")
-UNQUOTE = "close it, or leave both out"
 COMMENT = re.compile(r"(?:^|\s)#.*$")
 
 

@@ -310,7 +310,10 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
             shown = example_here(scope, declared)
             example = f": `{word}: {shown}`" if shown else f": {declared.help}"
             scope.fault(key, f"`{name}` needs `{word}`", f"add it{example}", "missing")
+    before = len(scope.faults)
     found = read_keys(scope, cls, name, entries)
+    if len(scope.faults) > before:
+        scope.half_read.add(name)
     if not all(word in found or f"{word}_" in found for word in required):
         return None
     element: Element = cls(name, **found)

@@ -40,7 +40,7 @@ NAMING = (
     "marking",
     "vary",
 )
-ASSIGNED = re.compile(r"(?P<name>[A-Za-z]\w*(?:\.\w+)*)(?:\s*=\s*|:|\s+)(?P<value>\S.*)", re.DOTALL)
+ASSIGNED = r"(?s:(?P<name>[A-Za-z]\w*(?:\.\w+)*)(?:\s*=\s*|:|\s+)(?P<value>\S.*))"  # compiled where one is met
 ONE = {
     "surfaces": "surface",
     "bodies": "body",
@@ -56,9 +56,8 @@ ELEMENTS: dict[str, list[type[Any]]] = {
     "events": EVENTS,
 }
 AT_REST = "at rest"
-PATH = re.compile(r"[A-Za-z]\w*(?:\.\w+)+")
 LIKE = 0.75  # how like a section a word is that is taken for it
-WHOLE, REST = re.compile(r"[-+−]?\d+"), re.compile(r"\d+(\s*[^\W\d].*|\s*)")
+WHOLE, REST = r"[-+−]?\d+", r"\d+(\s*[^\W\d].*|\s*)"
 
 
 def mended(root: Map, scope: Scope) -> Map:
@@ -92,14 +91,14 @@ def with_values(node: Map, scope: Scope) -> Map:
         before = entries[-1][1] if entries else None
         if not is_empty(value):
             entries.append((key, value))
-        elif isinstance(before, Text) and WHOLE.fullmatch(before.value.strip()) and REST.fullmatch(key.value):
+        elif isinstance(before, Text) and re.fullmatch(WHOLE, before.value.strip()) and re.fullmatch(REST, key.value):
             whole = f"{before.value.strip()}.{key.value}"
             fault, start = null_fault(key.value, key.span, before.value), before.span
             if start.line == key.span.line:
                 fault = replace(fault, span=replace(start, length=key.span.column + key.span.length - start.column))
             scope.faults.append(fault)
             entries[-1] = (entries[-1][0], Text(whole, before.span, True, False))
-        elif (said := ASSIGNED.fullmatch(key.value)) and key.value != AT_REST:
+        elif (said := re.fullmatch(ASSIGNED, key.value)) and key.value != AT_REST:
             scope.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
             value = key.cut(*said.span("value"))
             quotes = value.value[:1] in ("'", '"') and value.value[-1:] == value.value[:1] and len(value.value) > 1
@@ -198,7 +197,7 @@ def mended_section(key: Text, node: Node, scope: Scope) -> Node:
             scope.fault(node, f"`{key.value}` wants `name: value` lines, but this is a list", help, "form")
             return Map(tuple(entry for entries in parts for entry in entries), node.span)
     said = (
-        ASSIGNED.fullmatch(node.value.strip())
+        re.fullmatch(ASSIGNED, node.value.strip())
         if key.value in NAMING and isinstance(node, Text) and node.exact
         else None
     )
@@ -257,7 +256,7 @@ def at_home(section: str, value: Node, joints: Collection[str]) -> bool:
     """Whether a section may have such an entry, right or not; states name connections in their lines, which are called as they like."""
     if isinstance(value, Text):
         resting = value.value.strip() == AT_REST and section in ELEMENTS
-        return section == "find" or not (resting or PATH.match(value.value.strip()))
+        return section == "find" or not (resting or begins_with_path(value.value))
     if not isinstance(value, Map) or not value.entries:
         return True
     words = [key.value for key in keys_in(value)]
@@ -272,7 +271,13 @@ def at_home(section: str, value: Node, joints: Collection[str]) -> bool:
 
 def state_line(word: str) -> bool:
     """Whether a key is a line of a state: a path, or a word that only states have."""
-    return PATH.match(word) is not None or word in (AT_REST, "balance", "steady", "time") or " of " in word
+    return begins_with_path(word) or word in (AT_REST, "balance", "steady", "time") or " of " in word
+
+
+def begins_with_path(text: str) -> bool:
+    """Whether the first word of a text is a path, `block.velocity`."""
+    word = text.split()[0] if text.strip() else ""
+    return "." in word and word[0].isalpha() and all(part.isidentifier() for part in word.split("."))
 
 
 def home_of(value: Node) -> str:

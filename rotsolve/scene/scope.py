@@ -74,6 +74,9 @@ class Scope:
         )  # letters that are sought and units as well, of which that has been said
         self.conflicts: set[str] = set()  # names used twice: what they name can't be told
         self.blamed: set[str] = set()  # givens whose dimension has been found wrong
+        self.half_read: set[str] = (
+            set()
+        )  # names of connections, actions and events with faults: what they touch is not known
         self.lost: set[str] = set()  # names of what could not be read: that they are not known follows from that
         self.written: frozenset[str] = (
             frozenset()

@@ -7,9 +7,8 @@ from typing import Any
 
 from rotsolve.core.faults import Fault, Related, Span
 from rotsolve.language.words import quoted
-from rotsolve.scene.brackets import UNQUOTE, misfit
 
-QUOTE = "put the text in quotes"
+QUOTE, UNQUOTE = "put the text in quotes", "close it, or leave both out"
 DEPTH = 40
 TOO_DEEP = f"more than {DEPTH} levels inside one another", "a scene needs no more than ten"
 
@@ -39,6 +38,8 @@ def no_yaml(problem: str) -> Fault:
 
 def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
     """The parser's complaint in the scene's words."""
+    from rotsolve.scene.brackets import misfit  # only a faulty scene pays for it
+
     mark = error.problem_mark or error.context_mark
     problem = str(error.problem or error.context or "")
     if "quoted scalar" in f"{error.context} {problem}":
