@@ -13,13 +13,10 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Related
-from rotsolve.elements.actions import ACTIONS
-from rotsolve.elements.connections import CONNECTIONS
-from rotsolve.elements.events import EVENTS
-from rotsolve.elements.shapes import SHAPES
-from rotsolve.elements.surfaces import SURFACES
+from rotsolve.elements.tables import ACTIONS, CONNECTIONS, EVENTS, SHAPES, SURFACES
 from rotsolve.language.grammar import BODY, IS, PHASE, SECTIONS, WHICH
 from rotsolve.language.keys import keys_of
+from rotsolve.language.kinds import Kinds
 from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.traps import null_fault, without_colon
@@ -49,7 +46,7 @@ ONE = {
     "events": "event",
     "states": "state",
 }
-ELEMENTS: dict[str, list[type[Any]]] = {
+ELEMENTS: dict[str, Kinds[Any]] = {
     "surfaces": SURFACES,
     "connections": CONNECTIONS,
     "actions": ACTIONS,
@@ -204,13 +201,15 @@ def mended_section(key: Text, node: Node, scope: Scope) -> Node:
     if isinstance(node, Text) and said is not None:
         scope.faults.append(without_colon(node.value, node.span))
         return Map(((node.cut(*said.span("name")), node.cut(*said.span("value"))),), node.span)
-    below = frozenset(words_below(key.value))
-    return indented_below(node, (), scope, below) if below and isinstance(node, Map) else node
+    if not isinstance(node, Map) or not any(is_empty(value) for _, value in node.entries):
+        return node
+    below = frozenset(words_below(key.value))  # of all classes, which a scene without a fault does not load
+    return indented_below(node, (), scope, below) if below else node
 
 
 def words_below(section: str) -> Iterator[str]:
     """The keys of what a section holds."""
-    tables = {**ELEMENTS, "bodies": SHAPES}
+    tables: dict[str, Kinds[Any]] = {**ELEMENTS, "bodies": SHAPES}
     for cls in tables.get(section, ()):
         yield from (word for word, _ in keys_of(cls))
     yield from {"bodies": BODY, "phases": PHASE}.get(section, ())
@@ -265,8 +264,8 @@ def at_home(section: str, value: Node, joints: Collection[str]) -> bool:
     if section == "states":
         return any(state_line(word) or word in joints for word in words)
     if section in ELEMENTS:
-        return any(cls.word in words for cls in ELEMENTS[section])
-    return not frozenset(words_below(section)).isdisjoint(words)
+        return not set(ELEMENTS[section].words).isdisjoint(words)
+    return any(word in BODY for word in words) or not frozenset(words_below(section)).isdisjoint(words)
 
 
 def state_line(word: str) -> bool:
@@ -287,7 +286,7 @@ def home_of(value: Node) -> str:
     words = [key.value for key in keys_in(value)]
     if {"formula", "value"} & set(words):
         return "answers"
-    named = [section for section, table in ELEMENTS.items() if any(cls.word in words for cls in table)]
+    named = [section for section, table in ELEMENTS.items() if not set(table.words).isdisjoint(words)]
     if len(named) == 1:
         return named[0]
     if {"shape", "mass", "inertia"} & set(words):
