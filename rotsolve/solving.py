@@ -439,10 +439,6 @@ def check_law(search: Search, law: str) -> None:
     if used - {""} and law not in used:
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
         reason = why_uncovered(law, problem.finds[0], search.scene) if others else ""
-        message = (
-            f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here: {reason}".removesuffix(
-                ": "
-            )
-        )
+        message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here{reason}"
         why = "".join(f"; {reason}" for reason in search.scene.not_restated[:1])
         raise unsolvable(problem, message, None, f"it takes {others or 'none of the laws: leave `--law` out'}{why}")

@@ -49,7 +49,7 @@ class SceneError(Exception):
     """A scene that can't be read: every fault of the file, in the order of the file."""
 
     def __init__(self, faults: Iterable[Fault], lines: Sequence[str] = (), file: str = "") -> None:
-        self.faults = told_once(faults)
+        self.faults = one_per_cause(faults)
         self.lines = tuple(lines)
         self.file = file
         super().__init__(self.render())
@@ -64,7 +64,7 @@ class SceneError(Exception):
         return all(fault.kind == "not yet" for fault in self.faults)
 
 
-def told_once(faults: Iterable[Fault]) -> tuple[Fault, ...]:
+def one_per_cause(faults: Iterable[Fault]) -> tuple[Fault, ...]:
     """The faults sorted by place, the first one reported at each place; those of one cause, or in the same words, as the first of them,
     which names the others."""
     placed: dict[object, Fault] = {}

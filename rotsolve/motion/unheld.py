@@ -23,7 +23,7 @@ def unheld(configuration: Configuration) -> tuple[str, ...]:
         if not is_particle(body)
         and configuration.host(body.name, state) == body.name
         and not (together := configuration.component(body.name, state)) & held_at(configuration, state)
-        and not together & led(problem)
+        and not together & told_to_move(problem)
         and (not spoken_of or together & spoken_of)
     )
     return found if spoken_of or len(found) == len(problem.bodies) else ()
@@ -59,7 +59,7 @@ def held_at(configuration: Configuration, state: str) -> set[str]:
     return held
 
 
-def led(problem: Problem) -> set[str]:
+def told_to_move(problem: Problem) -> set[str]:
     """The bodies of which the scene tells how they move: thrown, struck or led along."""
     told = {
         line.path.owner

@@ -21,7 +21,7 @@ SIDES = re.compile(r"[^\s,\[\]{}()]")  # what belongs to a word in the file, wit
 def first_causes(scope: Scope, lines: Sequence[str]) -> list[Fault]:
     """The faults of a file without those that follow from others."""
     lost, half = names_in_words(scope.lost), names_in_words(scope.half_read)
-    guessed = [extent(node) for node in scope.guessed]
+    guessed = [stretch_of(node) for node in scope.guessed]
     kept = [
         fault
         for fault in scope.faults
@@ -48,7 +48,7 @@ def names_lost(span: Span | None, lines: Sequence[str], lost: re.Pattern[str] | 
     return any(found.start() < end and start < found.end() for found in lost.finditer(line))
 
 
-def extent(node: Node) -> tuple[tuple[int, int], tuple[int, int]]:
+def stretch_of(node: Node) -> tuple[tuple[int, int], tuple[int, int]]:
     """From where to where a node stands in the file: lines and columns."""
     spans = list(spans_in(node))
     first, last = (

@@ -33,7 +33,7 @@ class Bracket(Struct, frozen=True):
         return Span(self.line + 1, self.column + 1)
 
 
-def misfit(lines: tuple[str, ...]) -> Fault | None:
+def bracket_fault(lines: tuple[str, ...]) -> Fault | None:
     """The fault of the first bracket that has no other; None where all fit."""
     whole, scan = BracketScan(lines, by_indent=False), BracketScan(lines, by_indent=True)
     whole.run()

@@ -36,7 +36,7 @@ def foreign_value(text: str, names: Container[str]) -> Told | None:
     return None
 
 
-def rewritten(message: str, *values: str) -> Told | None:
+def written_as(message: str, *values: str) -> Told | None:
     """The message with what to write, of which the first at least can be read."""
     try:
         parse_quantity(values[0])
@@ -45,10 +45,10 @@ def rewritten(message: str, *values: str) -> Told | None:
     return message, "write " + ", or ".join(f"`{value}`" for value in values)
 
 
-def grouped(match: re.Match[str], names: Container[str]) -> Told | None:
+def digits_in_groups(match: re.Match[str], names: Container[str]) -> Told | None:
     """`1_000`, `1 000`, `1'000`: a number whose digits stand in groups."""
     number = re.sub(rf"[_'’{BLANK}]", "", match["number"])
-    return rewritten(f"{quoted(match['number'])} is no number: its digits stand in groups", f"{number}{match['rest']}")
+    return written_as(f"{quoted(match['number'])} is no number: its digits stand in groups", f"{number}{match['rest']}")
 
 
 def with_commas(match: re.Match[str], names: Container[str]) -> Told | None:
@@ -59,13 +59,13 @@ def with_commas(match: re.Match[str], names: Container[str]) -> Told | None:
     if commas and points:
         decimal = max(".", ",", key=number.rfind)
         other = "," if decimal == "." else "."
-        return rewritten(message, f"{number.replace(other, '').replace(decimal, '.')}{rest}")
+        return written_as(message, f"{number.replace(other, '').replace(decimal, '.')}{rest}")
     whole = number.replace(",", "")
-    return rewritten(message, f"{whole}{rest}", *([f"{number.replace(',', '.')}{rest}"] if commas == 1 else []))
+    return written_as(message, f"{whole}{rest}", *([f"{number.replace(',', '.')}{rest}"] if commas == 1 else []))
 
 
 def in_other_base(match: re.Match[str], names: Container[str]) -> Told | None:
-    return rewritten(f"{quoted(match['number'])} is no decimal number", f"{int(match['number'], 0)}{match['rest']}")
+    return written_as(f"{quoted(match['number'])} is no decimal number", f"{int(match['number'], 0)}{match['rest']}")
 
 
 def number_behind(match: re.Match[str], names: Container[str]) -> Told | None:
@@ -75,7 +75,7 @@ def number_behind(match: re.Match[str], names: Container[str]) -> Told | None:
     except UnitError:
         return None
     named = match["unit"] in names
-    return None if named else rewritten("the number stands behind its unit", f"{match['number']} {match['unit']}")
+    return None if named else written_as("the number stands behind its unit", f"{match['number']} {match['unit']}")
 
 
 def powers_plain(match: re.Match[str], names: Container[str]) -> Told | None:
@@ -84,21 +84,23 @@ def powers_plain(match: re.Match[str], names: Container[str]) -> Told | None:
     if any(word in names for word in re.findall(r"[A-Za-z]+\d", unit)):
         return None
     raised = re.sub(r"(?<=[A-Za-z])(?=-?\d)", "^", unit)
-    return rewritten("a power of a unit is written with `^`", f"{match['number']} {raised}") if raised != unit else None
+    return (
+        written_as("a power of a unit is written with `^`", f"{match['number']} {raised}") if raised != unit else None
+    )
 
 
 def letter_for_nought(match: re.Match[str], names: Container[str]) -> Told | None:
     number = match["number"].replace("O", "0").replace("o", "0")
-    return rewritten(f"{quoted(match['number'])} has the letter O in it", f"{number}{match['rest']}")
+    return written_as(f"{quoted(match['number'])} has the letter O in it", f"{number}{match['rest']}")
 
 
-def side_by_side(match: re.Match[str], names: Container[str]) -> Told | None:
+def numbers_beside(match: re.Match[str], names: Container[str]) -> Told | None:
     return f"two numbers side by side: {quoted(match['number'])}", "write one number, or `*` between them"
 
 
 FORMS: dict[str, Callable[[re.Match[str], Container[str]], Told | None]] = {
-    rf"(?P<number>{SIGN}\d+(?:_\d+)+(?:\.\d+)?)(?P<rest>.*)": grouped,
-    rf"(?P<number>{SIGN}\d{{1,3}}(?:[{BLANK}'’]\d{{3}})+(?:\.\d+)?)(?P<rest>(?![\d.]).*)": grouped,
+    rf"(?P<number>{SIGN}\d+(?:_\d+)+(?:\.\d+)?)(?P<rest>.*)": digits_in_groups,
+    rf"(?P<number>{SIGN}\d{{1,3}}(?:[{BLANK}'’]\d{{3}})+(?:\.\d+)?)(?P<rest>(?![\d.]).*)": digits_in_groups,
     rf"(?P<number>{SIGN}\d{{1,3}}(?:\.\d{{3}})+,\d+|{SIGN}\d{{1,3}}(?:,\d{{3}})+(?:\.\d+)?)(?P<rest>(?![\d.,]).*)": with_commas,
     r"(?P<number>0[xob][0-9A-Fa-f]+)(?P<rest>.*)": in_other_base,
     r"(?P<date>\d{4}-\d\d-\d\d.*)": lambda match, names: (
@@ -109,15 +111,15 @@ FORMS: dict[str, Callable[[re.Match[str], Container[str]], Told | None]] = {
         f"{quoted(match['clock'])} is a time of a clock, not a number",
         "write it in one unit, `90 s` or `1.5 min`",
     ),
-    rf"(?P<number>{SIGN}\d*)\.\.+(?P<rest>\d.*)": lambda match, names: rewritten(
+    rf"(?P<number>{SIGN}\d*)\.\.+(?P<rest>\d.*)": lambda match, names: written_as(
         "two points in a number", f"{match['number']}.{match['rest']}"
     ),
     rf"(?P<number>{SIGN}[\d.]*[oO][\dOo.]*|{SIGN}\d[\d.]*[oO])(?P<rest>\s+.*|)": letter_for_nought,
-    rf"(?P<number>{SIGN}\d+\.?\d*\s+\d+\.?\d*)(?P<rest>(?![\d/]).*)": side_by_side,
+    rf"(?P<number>{SIGN}\d+\.?\d*\s+\d+\.?\d*)(?P<rest>(?![\d/]).*)": numbers_beside,
     r"(?P<unit>[^\W\d_][^\d]*?(?:\^\d)?)\s*(?P<number>[-+]?\d+(?:\.\d+)?)": number_behind,
     rf"(?P<number>{SIGN}[\d.]+)\s*(?P<unit>[^\W\d_].*)": powers_plain,
-    r"=\s*(?P<value>\S.*)": lambda match, names: rewritten("a `=` in front of a value", match["value"]),
-    r"(?P<value>[^±]*\d[^±]*?)\s*(?:±|\+/?-)\s*(?P<off>[\d.]+)\s*(?P<unit>.*)": lambda match, names: rewritten(
+    r"=\s*(?P<value>\S.*)": lambda match, names: written_as("a `=` in front of a value", match["value"]),
+    r"(?P<value>[^±]*\d[^±]*?)\s*(?:±|\+/?-)\s*(?P<off>[\d.]+)\s*(?P<unit>.*)": lambda match, names: written_as(
         "a value has no uncertainty in a scene",
         match["value"] if re.search(r"[^\W\d]", match["value"]) else f"{match['value']} {match['unit']}",
     ),

@@ -59,7 +59,7 @@ WHOLE, REST = r"[-+−]?\d+", r"\d+(\s*[^\W\d].*|\s*)"
 
 def mended(root: Map, scope: Scope) -> Map:
     """The tree of a scene with what is mended in it; each fault is noted."""
-    root = with_values(replace(root, entries=tuple((key, each_map(node, scope)) for key, node in root.entries)), scope)
+    root = values_given(replace(root, entries=tuple((key, each_map(node, scope)) for key, node in root.entries)), scope)
     root = indented_below(root, SECTIONS, scope)
     root = by_their_names(root, scope)
     root = replace(root, entries=tuple((key, mended_section(key, node, scope)) for key, node in root.entries))
@@ -71,7 +71,7 @@ def each_map(node: Node, scope: Scope) -> Node:
     if isinstance(node, List):
         return replace(node, items=tuple(each_map(item, scope) for item in node.items))
     if isinstance(node, Map):
-        return with_values(
+        return values_given(
             replace(node, entries=tuple((key, each_map(item, scope)) for key, item in node.entries)), scope
         )
     return node
@@ -81,7 +81,7 @@ def is_empty(node: Node) -> bool:
     return isinstance(node, Text) and node.empty
 
 
-def with_values(node: Map, scope: Scope) -> Map:
+def values_given(node: Map, scope: Scope) -> Map:
     """A map in which what stands alone between commas is given its value: `m = 2 kg`, `m:2 kg`, `mass m`, and `0,2 m` its point."""
     entries: list[Entry] = []
     for key, value in node.entries:
@@ -112,7 +112,9 @@ def indented_below(node: Map, own: Collection[str], scope: Scope, below: Collect
     begun = False  # whether what is not indented has been told of the last entry
     for key, value in node.entries:
         belongs = key.value in below if below else key.value not in own
-        if not (entries and belongs and not is_empty(value) and (begun or goes_on(entries[-1], key, value, below))):
+        if not (
+            entries and belongs and not is_empty(value) and (begun or belongs_below(entries[-1], key, value, below))
+        ):
             begun = False
             entries.append((key, value))
             continue
@@ -132,7 +134,7 @@ def told_indent(name: Text, key: Text, scope: Scope) -> bool:
     return True
 
 
-def goes_on(last: Entry, key: Text, value: Node, below: Collection[str]) -> bool:
+def belongs_below(last: Entry, key: Text, value: Node, below: Collection[str]) -> bool:
     """Whether an entry can be one of those of the name before it: of one that has none, or of a section with lines like it."""
     name, held = last
     if is_empty(held) or below:

@@ -41,7 +41,7 @@ UNKNOWN = "unknown: "  # begins the cause of a fault that names what nothing giv
 Nothing = Never | None  # noqa: RUF020  # None, which a reader may give back for what it did not find
 
 
-def spelt(word: str, taken: Container[str]) -> str:
+def plainly_spelt(word: str, taken: Container[str]) -> str:
     """What to write for a name with Greek or other letters, blanks or hyphens; '' where that is no name either, or names something."""
     from unicodedata import normalize  # only a faulty scene pays for it
 
@@ -125,7 +125,7 @@ class Scope:
             self.fault(
                 name,
                 f"{quoted(word)} can't be a name",
-                f"{spelt(word, {*self.kinds, *self.written, *RESERVED})}{help}",
+                f"{plainly_spelt(word, {*self.kinds, *self.written, *RESERVED})}{help}",
                 "name",
             )
             return False

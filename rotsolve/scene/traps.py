@@ -38,7 +38,7 @@ def no_yaml(problem: str) -> Fault:
 
 def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
     """The parser's complaint in the scene's words."""
-    from rotsolve.scene.brackets import misfit  # only a faulty scene pays for it
+    from rotsolve.scene.brackets import bracket_fault  # only a faulty scene pays for it
 
     mark = error.problem_mark or error.context_mark
     problem = str(error.problem or error.context or "")
@@ -53,7 +53,9 @@ def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
         span = Span(mark.line + 1, tabs.index("\t") + 1, tabs.count("\t"))
         return Fault("a tab in the indentation", span, "indent with spaces", "yaml")
     bare = (
-        None if "quoted scalar" in problem or "nesting" in problem else misfit(lines) or misplaced(problem, mark, lines)
+        None
+        if "quoted scalar" in problem or "nesting" in problem
+        else bracket_fault(lines) or misplaced(problem, mark, lines)
     )
     if bare is not None:
         return bare
@@ -65,7 +67,7 @@ def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
 
 def misplaced(problem: str, mark: Any, lines: tuple[str, ...]) -> Fault | None:
     """A line without its colon, or indented as no other is, which is seen in the lines above the parser's place; None where none is."""
-    above = next((number for number in range(mark.line - 1, -1, -1) if told_in(lines[number])), None)
+    above = next((number for number in range(mark.line - 1, -1, -1) if is_told(lines[number])), None)
     line, before = lines[mark.line] if mark.line < len(lines) else "", "" if above is None else lines[above]
     text, indent, before_indent = before.strip(), indented(line), indented(before)
     if above is None or "expected ',' or" in problem:
@@ -81,7 +83,7 @@ def misplaced(problem: str, mark: Any, lines: tuple[str, ...]) -> Fault | None:
         message = f"this line is indented by {indent}, further than the one above it, which holds a value already"
         return Fault(message, own, f"indent it by {before_indent}, as the line above", "yaml", related=related)
     if "expected key" in problem or "expected <block end>" in problem:
-        open_ = sorted({indented(lines[number]) for number in range(above + 1) if told_in(lines[number])}, reverse=True)
+        open_ = sorted({indented(lines[number]) for number in range(above + 1) if is_told(lines[number])}, reverse=True)
         fitting = min(open_, key=lambda other: abs(other - indent))
         if indent not in open_ or before_indent > indent:
             message = f"this line is indented by {indent}, which fits no line above"
@@ -91,7 +93,7 @@ def misplaced(problem: str, mark: Any, lines: tuple[str, ...]) -> Fault | None:
     return None
 
 
-def told_in(line: str) -> bool:
+def is_told(line: str) -> bool:
     """Whether a line holds more than blanks and a comment."""
     return bool(line.strip()) and not line.lstrip().startswith("#")
 

@@ -46,9 +46,9 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
 
 def with_way(error: Unsolvable, search: Search) -> Unsolvable:
     """A state that is never reached with where the motion goes instead, where that is known."""
-    from rotsolve.search.reached import way_gone
+    from rotsolve.search.reached import instead_of_there
 
-    why = way_gone(error.state, search) if isinstance(error, NeverReached) and error.fault.broken else ""
+    why = instead_of_there(error.state, search) if isinstance(error, NeverReached) and error.fault.broken else ""
     if isinstance(error, NeverReached) and why:
         error.retold(replace(error.fault, help=why))
     return error
@@ -156,7 +156,7 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, search.scene)
     if other := law_that_gives(find, search) if search.thorough else "":
         reason = why_uncovered(search.families[0], find, search.scene)
-        message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`: {reason}".removesuffix(": ")
+        message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`{reason}"
         return unsolvable(problem, message, find.span, other)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)

@@ -63,7 +63,7 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
             yield never_reached(interval, configuration, why or turned, sure=bool(why))
 
 
-def way_gone(state: str, search: Search) -> str:
+def instead_of_there(state: str, search: Search) -> str:
     """Where a motion goes with a steady acceleration that does not come to a state, of which nothing but one value is told; '' where that
     is not known."""
     timeline = search.scene.configuration.timeline

@@ -86,12 +86,12 @@ REASONS: dict[str, dict[str, str]] = {  # by family and kind of question
 
 
 def why_uncovered(law: str, find: Find, scene: SceneEquations) -> str:
-    """Why a family of laws does not tell by itself what a question asks; '' of one that is in no table."""
+    """Why a family of laws does not tell by itself what a question asks, behind a colon; '' of one that is in no table."""
     reasons = REASONS.get(law)
     if reasons is None:
         return ""
     struck = blow_before(find, scene)
-    return reasons[BLOW].format(event=struck) if struck else reasons[kind_of_question(find)]
+    return f": {reasons[BLOW].format(event=struck) if struck else reasons[kind_of_question(find)]}"
 
 
 def kind_of_question(find: Find) -> str:
