@@ -120,7 +120,7 @@ def indented_below(node: Map, own: Collection[str], scope: Scope, below: Collect
             continue
         (name, held), begun = entries[-1], begun or told_indent(entries[-1][0], key, scope)
         taken = held.entries if isinstance(held, Map) else ()
-        more = [(key, value)] if below else beside(key, value, frozenset(words_below(name.value)))
+        more = [(key, value)] if below else split_off(key, value, frozenset(words_below(name.value)))
         entries[-1] = (name, Map((*taken, *more), held.span if taken else key.span))
     return replace(node, entries=tuple(entries))
 
@@ -152,7 +152,7 @@ def belongs_below(last: Entry, key: Text, value: Node, below: Collection[str]) -
     )
 
 
-def beside(key: Text, value: Node, below: Collection[str]) -> list[Entry]:
+def split_off(key: Text, value: Node, below: Collection[str]) -> list[Entry]:
     """An entry, and behind it those within it that are none of its keys, but as it is: they were indented, and it was not."""
     inner = value.entries if isinstance(value, Map) and below else ()
     others = [(word, item) for word, item in inner if word.value not in below and isinstance(item, Map)]

@@ -67,7 +67,7 @@ def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
 
 def misplaced(problem: str, mark: Any, lines: tuple[str, ...]) -> Fault | None:
     """A line without its colon, or indented as no other is, which is seen in the lines above the parser's place; None where none is."""
-    above = next((number for number in range(mark.line - 1, -1, -1) if is_told(lines[number])), None)
+    above = next((number for number in range(mark.line - 1, -1, -1) if holds_text(lines[number])), None)
     line, before = lines[mark.line] if mark.line < len(lines) else "", "" if above is None else lines[above]
     text, indent, before_indent = before.strip(), indented(line), indented(before)
     if above is None or "expected ',' or" in problem:
@@ -83,7 +83,9 @@ def misplaced(problem: str, mark: Any, lines: tuple[str, ...]) -> Fault | None:
         message = f"this line is indented by {indent}, further than the one above it, which holds a value already"
         return Fault(message, own, f"indent it by {before_indent}, as the line above", "yaml", related=related)
     if "expected key" in problem or "expected <block end>" in problem:
-        open_ = sorted({indented(lines[number]) for number in range(above + 1) if is_told(lines[number])}, reverse=True)
+        open_ = sorted(
+            {indented(lines[number]) for number in range(above + 1) if holds_text(lines[number])}, reverse=True
+        )
         fitting = min(open_, key=lambda other: abs(other - indent))
         if indent not in open_ or before_indent > indent:
             message = f"this line is indented by {indent}, which fits no line above"
@@ -93,7 +95,7 @@ def misplaced(problem: str, mark: Any, lines: tuple[str, ...]) -> Fault | None:
     return None
 
 
-def is_told(line: str) -> bool:
+def holds_text(line: str) -> bool:
     """Whether a line holds more than blanks and a comment."""
     return bool(line.strip()) and not line.lstrip().startswith("#")
 
