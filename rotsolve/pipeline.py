@@ -220,7 +220,35 @@ def fair_refusal(
     law: str | None,
     followed: Callable[[], FollowedCourses] | None = None,
 ) -> Fault:
-    """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved."""
+    """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved; with what nothing holds."""
+    return beside_unheld(fairly_blamed(fault, names, problem, law, followed), problem)
+
+
+def beside_unheld(fault: Fault, problem: Problem) -> Fault:
+    """A refusal with the bodies that nothing holds, of which it may come; what is not solved is no fault of the scene."""
+    from rotsolve.motion.unheld import unheld, what_would_hold
+
+    if fault.help and fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
+        return fault
+    names: tuple[str, ...] = ()
+    with suppress(Unsolvable):  # what can't be arranged has a fault of its own
+        names = () if fault.kind == UNSOLVED or problem.space else unheld(configured(problem))
+    if not names:
+        return fault
+    shown = ", ".join(f"`{name}`" for name in names)
+    how = " and ".join(f"`{item}`" for item in what_would_hold(names, problem))
+    it = "it is" if len(names) == 1 else "they are"
+    return replace(fault, help=f"nothing holds {shown}: {it} free to fall; hold it by a connection, as {how}")
+
+
+def fairly_blamed(
+    fault: Fault,
+    names: Sequence[str],
+    problem: Problem,
+    law: str | None,
+    followed: Callable[[], FollowedCourses] | None,
+) -> Fault:
+    """A refusal as it is, or what is not solved where it blames the data falsely, or which of them do not go with the rest."""
     if fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
         return fault
     if not (problem.space and fault.kind == UNREACHED):  # its assembly looks at states, not at the way to them

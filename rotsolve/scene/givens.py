@@ -23,7 +23,7 @@ from rotsolve.scene.literals import LITERAL, Want, dimension_in_words, unit_faul
 from rotsolve.scene.rough import remember
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Map, Node, Text
-from rotsolve.scene.values import agreed_dimension, comma_fault, expression
+from rotsolve.scene.values import agreed_dimension, expression, told_foreign
 
 NOWHERE = Span(0, 0)  # a setting of the command line has no place in the file
 FORM_OF_SETTING = 'write a text with its unit, such as "2 kg"'
@@ -115,6 +115,9 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
         scope.dimensions[name] = NUMBER
     elif (LITERAL.fullmatch(text) and number_with_unit(scope, given, written)) or letter_with_unit(scope, given):
         pass
+    elif told_foreign(scope, written):
+        scope.dimensions[name] = None
+        scope.lost.add(name)
     elif (
         LITERAL.fullmatch(text)
         and not re.search(r"[-+*/^(]", text[1:])
@@ -125,12 +128,10 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
             parse_quantity(text)
         except UnitError as error:
             unit_fault(scope, written, error)
-    elif comma_fault(scope, written):
-        scope.dimensions[name] = None
     elif text.replace("_", " ") in BY_NAME and text not in scope.givens:
         kind_as_unit(scope, name, written, BY_NAME[text.replace("_", " ")])
     else:
-        formula = expression(scope, written, Want(name, None, "q", name), None)
+        formula = expression(scope, written, Want(name, None, "q", name, words=("unknown", "number")), None)
         scope.dimensions[name] = None
         if formula is not None:
             made[name] = formula
