@@ -95,7 +95,7 @@ def schema_command() -> None:
     """
     import json
 
-    from rotsolve.scene.reference import json_schema
+    from rotsolve.scene.schema import json_schema
 
     with orderly():
         print(json.dumps(json_schema(), indent=2, ensure_ascii=False))

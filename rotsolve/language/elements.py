@@ -206,9 +206,17 @@ ALL_THE_TIME = "what acts does so in all states: begin another scene where it be
 class Action(ActingElement, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
-    from_: str | None = key("name", "the state at which it begins", refers=("state",), plane=True, instead=ALL_THE_TIME)
+    from_: str | None = key(
+        "name", "the state at which it begins", refers=("state",), plane=True, instead=ALL_THE_TIME, example="start"
+    )
     to: str | None = key(
-        "name", "the state at which it ends", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
+        "name",
+        "the state at which it ends",
+        default=None,
+        refers=("state",),
+        plane=True,
+        instead=ALL_THE_TIME,
+        example="end",
     )
 
     def touches(self) -> tuple[PointRef, ...]:
@@ -465,8 +473,8 @@ class Event(Element, frozen=True):
     heats: ClassVar[bool] = False  # whether the energy that its bodies lose in it becomes heat
     lets_fly: ClassVar[bool] = False  # whether what lay on what it takes away is led along no line from then on
     name: str = ""
-    from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
-    to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
+    from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True, example="start")
+    to: str | None = key("name", "the state after", default=None, refers=("state",), required=True, example="end")
 
     def check(self, scene: Surroundings) -> None:
         """Refuses by name what the scene can't mean: raises Unsolvable."""

@@ -88,7 +88,7 @@ def test_an_unknown_element(rotsolve: Run) -> None:
 
 
 def test_schema(rotsolve: Run) -> None:
-    from rotsolve.scene.reference import json_schema
+    from rotsolve.scene.schema import json_schema
 
     ran = rotsolve("schema")
     assert (ran.code, ran.err) == (0, "")
