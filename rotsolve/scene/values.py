@@ -25,7 +25,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.keys import HIGHEST
 from rotsolve.language.problem import TimeValue
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, did_you_mean, hint, quoted
 from rotsolve.scene.literals import (
     COMMA,
     EXPRESSION,
@@ -161,7 +161,7 @@ def formula_fault(
     span = node.part(error.start, max(error.end, error.start + 1))
     wrong = text[error.start : error.end]
     if not re.fullmatch(NAME, wrong) or wrong in names or wrong in stand_ins:
-        help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
+        help = did_you_mean(error.suggestion)
         scope.fault(span, f"{quoted(node.value)} is no formula: {error.message}", help, "formula")
         return
     kind = scope.kinds.get(wrong)
