@@ -12,6 +12,7 @@ from rotsolve import __version__
 from rotsolve.cli.check import check_command
 from rotsolve.cli.draw import draw_command
 from rotsolve.cli.key import key_command
+from rotsolve.cli.lsp import lsp_command
 from rotsolve.cli.simulate import simulate_command
 from rotsolve.cli.solve import solve_command
 from rotsolve.process import USAGE, leave_after, orderly
@@ -109,6 +110,7 @@ COMMANDS: dict[str, Callable[..., None]] = {  # in the order in which --help lis
     "check": check_command,
     "elements": elements_command,
     "schema": schema_command,
+    "lsp": lsp_command,
 }
 
 for name, command in COMMANDS.items():

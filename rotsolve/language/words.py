@@ -81,7 +81,7 @@ class Hint(str):
 
     meant: str | None
 
-    def __new__(cls, text: str, meant: str | None) -> Hint:
+    def __new__(cls, text: str, meant: str | None = None) -> Hint:
         made = super().__new__(cls, text)
         made.meant = meant
         return made

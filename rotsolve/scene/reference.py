@@ -20,6 +20,11 @@ LATER = " *(not solved yet)*"
 IN_SPACE = " *(in space)*"
 IN_PLANE = " *(in the plane)*"
 
+PHRASE_WORDS = {  # those of `find` by what they do
+    **{word: f"`{word}`: stands before an expression of `find` and belongs to the whole of it" for word in MODIFIERS},
+    **{word: f"`{word}`: begins a clause of `find`, after the expression" for word in CLAUSES},
+}
+
 
 def describe_all() -> str:
     """The whole reference, plain enough for a terminal."""
@@ -63,10 +68,7 @@ def word_entries() -> Iterator[tuple[str, str]]:
     ):
         for word, key in keys.items():
             yield word, f"`{word}` (of a {title}): {key_meaning(key)}"
-    for modifier in MODIFIERS:
-        yield modifier, f"`{modifier}`: stands before an expression of `find` and belongs to the whole of it"
-    for clause in CLAUSES:
-        yield clause, f"`{clause}`: begins a clause of `find`, after the expression"
+    yield from PHRASE_WORDS.items()
 
 
 def reference_chapters() -> Iterator[str]:

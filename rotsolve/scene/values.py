@@ -161,13 +161,13 @@ def formula_fault(
     span = node.part(error.start, max(error.end, error.start + 1))
     wrong = text[error.start : error.end]
     if not re.fullmatch(NAME, wrong) or wrong in names or wrong in stand_ins:
-        help = did_you_mean(error.suggestion)
-        scope.fault(span, f"{quoted(node.value)} is no formula: {error.message}", help, "formula")
+        message = f"{quoted(node.value)} is no formula: {error.message}"
+        scope.fault(span, message, did_you_mean(error.suggestion), "formula")
         return
     kind = scope.kinds.get(wrong)
     letters = [name for name in names if not name.startswith("Zq")]
     if wrong == "time":
-        help = "only actions and driven hinges vary"
+        help: str = "only actions and driven hinges vary"
         scope.fault(span, "`time` can't stand here: this value is constant", help, "formula")
     elif kind and kind != "given":
         help = hint("", letters, "givens")
