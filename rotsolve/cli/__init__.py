@@ -13,6 +13,7 @@ from rotsolve.cli.check import check_command
 from rotsolve.cli.draw import draw_command
 from rotsolve.cli.key import key_command
 from rotsolve.cli.lsp import lsp_command
+from rotsolve.cli.new import new_command
 from rotsolve.cli.simulate import simulate_command
 from rotsolve.cli.solve import solve_command
 from rotsolve.process import USAGE, leave_after, orderly
@@ -42,6 +43,7 @@ def rotsolve(
 
     \b
     Examples:
+      rotsolve new pulley
       rotsolve solve problems/pulleys/block-on-disc.yaml
       rotsolve solve problems/pulleys/block-on-disc.yaml --law energy --set m=3kg
       rotsolve draw problems/pulleys/block-on-disc.yaml -o picture.svg
@@ -103,6 +105,7 @@ def schema_command() -> None:
 
 
 COMMANDS: dict[str, Callable[..., None]] = {  # in the order in which --help lists them
+    "new": new_command,
     "solve": solve_command,
     "draw": draw_command,
     "simulate": simulate_command,
