@@ -57,19 +57,13 @@ def new_command(kind: Kind = None, output: Target = None, force: Force = False) 
 
 def write_new(path: str, text: str, force: bool) -> None:
     """Write a file that is not there yet; one that is there only where that is wanted."""
-    if os.path.isdir(path):
-        print(f"error: {path} is a folder: name a file in it", file=sys.stderr)
+    from rotsolve.run.delivery import write_file
+
+    if os.path.lexists(path) and not force:
+        print(f"error: {path} is there already", file=sys.stderr)
+        print("help: name another file with -o, or write over it with --force", file=sys.stderr)
         raise typer.Exit(USAGE)
-    try:
-        with open(path, "w" if force else "x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
-        print(
-            f"error: {path} is there already\nhelp: name another file with -o, or write over it with --force",
-            file=sys.stderr,
-        )
-        raise typer.Exit(USAGE) from None
-    except OSError as error:
-        print(f"error: cannot write {path}: {error.strerror or error}", file=sys.stderr)
-        raise typer.Exit(USAGE) from None
+    code = write_file(path, text)
+    if code:
+        raise typer.Exit(code)
     print(f"{path} is written; solve it with: rotsolve solve {path}")

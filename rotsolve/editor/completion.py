@@ -33,7 +33,11 @@ def proposals_at(reading: Reading, line: int, column: int) -> tuple[list[Proposa
     place = reading.before(line, column)
     if not place.role:
         return [], 0
-    keys = list(keys_proposed(reading, place, reading.line(line)[column:])) if place.role in ("key", "either") else []
+    here = reading.at(line, column)
+    own = here.text.value if here is not None and here.is_key else place.typed.strip()
+    keys = (
+        list(keys_proposed(reading, place, own, reading.line(line)[column:])) if place.role in ("key", "either") else []
+    )
     values = list(values_proposed(reading, place)) if place.role in ("value", "either") else []
     typed = re.search(r"[^{\[,]*$", place.typed)
     word = WORD.search(place.typed)
@@ -41,12 +45,11 @@ def proposals_at(reading: Reading, line: int, column: int) -> tuple[list[Proposa
     return once([*keys, *values]), len((typed if whole else word)[0]) if typed and word else 0
 
 
-def keys_proposed(reading: Reading, place: Place, rest: str) -> Iterator[Proposal]:
-    """The keys that may stand here and do not yet; `rest` is what follows on the line."""
+def keys_proposed(reading: Reading, place: Place, own: str, rest: str) -> Iterator[Proposal]:
+    """The keys that may stand here and do not yet, beside its `own`, which is being written; `rest` is what follows on the line."""
     scope, path = reading.scope, place.path
     node = reading.node(path)
-    written = {key.value for key, _ in node.entries} if isinstance(node, Map) else set()
-    written.discard(place.typed.strip())
+    written = {key.value for key, _ in node.entries} - {own} if isinstance(node, Map) else set()
     colon = "" if re.match(r"\w*\s*:", rest) else ": "
     if path and path[0] == "states" and len(path) == 2:
         yield from in_state(reading, place.typed, colon)

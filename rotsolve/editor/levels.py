@@ -101,7 +101,13 @@ def key_at(reading: Reading, path: Steps) -> Key | None:
     """What the value at the end of a way is declared to be; that of a list for its items."""
     while path and isinstance(path[-1], int):
         path = path[:-1]
-    return keys_at(reading, path[:-1]).get(str(path[-1])) if path else None
+    if not path:
+        return None
+    word, section = str(path[-1]), str(path[0])
+    found = keys_at(reading, path[:-1]).get(word)
+    if found is None and len(path) == 3 and section in TABLES:  # of an element that does not say yet what it is
+        found = next((keys[word] for cls in TABLES[section][1] if word in (keys := dict(keys_of(cls)))), None)
+    return found
 
 
 def names_as_keys(reading: Reading, path: Steps) -> list[str]:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.editor.outline import Place, outline_of, place_after
+from rotsolve.language.grammar import SECTIONS
 from rotsolve.scene.read import Sections, read_text
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import BYTES, List, Map, Node, Text
@@ -35,8 +36,18 @@ class Reading:
         self.lines = self.text.split("\n")
 
     @cached_property
+    def is_scene(self) -> bool:
+        """Whether a text has anything of a scene: an editor asks about all YAML, of which most is none."""
+        tree = self.tree
+        return len(self.whole) > BYTES or (
+            isinstance(tree, Map) and any(key.value in SECTIONS for key, _ in tree.entries)
+        )
+
+    @cached_property
     def faults(self) -> tuple[Fault, ...]:
-        """All faults for which the reader refuses the text."""
+        """All faults for which the reader refuses the text, if it is a scene at all."""
+        if not self.is_scene:
+            return ()
         try:
             read_text(self.whole)
         except SceneError as error:

@@ -100,7 +100,7 @@ class SceneServer(LanguageServer):
             return
         reading = self.reading(uri)
         self.publish(uri, reading.faults)
-        if solve and not reading.faults:
+        if solve and reading.is_scene and not reading.faults:
             loop = asyncio.get_running_loop()
             self.trials.begin(
                 reading.whole, lambda found: loop.call_soon_threadsafe(self.show_trial, uri, reading.whole, found)

@@ -128,7 +128,7 @@ class Corner(Curved, frozen=True):
     held_at = "corner"
     about = "an edge at a height above the floor, which a wheel climbs or rolls off: `step: {corner: h, side: right}`"
     corner: Formula | None = amount(
-        "height of the edge above the floor", "length", "h", "positive", required=True, example="h"
+        "height of the edge above the floor", "length", "h", "positive", required=True, example="10 cm"
     )
     side: str = key("choice", "the side of the wheel on which it is", choices=("left", "right"), default="right")
 
