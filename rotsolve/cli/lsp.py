@@ -13,10 +13,10 @@ LACKING = "error: the language server needs pygls, which is not installed\nhelp:
 
 
 def lsp_command() -> None:
-    """Serve an editor: faults, completion, help and fixes as a scene is written.
+    """Serve an editor in which scenes are written.
 
-    It speaks the Language Server Protocol on standard input and output; an editor starts it. It needs
-    pip install 'rotsolve[editor]'.
+    It tells faults, completions, help and fixes by the Language Server Protocol, on standard input and output. An editor
+    starts it; docs/editors.md says how. It needs pip install 'rotsolve[editor]'.
 
     \b
     Example, the command by which an editor starts it:

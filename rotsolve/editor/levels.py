@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rotsolve.editor.reading import Reading, Steps
+from rotsolve.editor.scene_text import SceneText, Steps
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.language.grammar import BODY, DEDUCT, IS, MARKING, PART, PHASE, SECTIONS, STATE, WHICH
 from rotsolve.language.keys import Key, keys_of
@@ -50,7 +50,7 @@ WITHIN_VALUES: dict[str, Mapping[str, Key]] = {  # the keys that a value of a ki
 }
 
 
-def shape_at(node: Node | None) -> type[Shape] | None:
+def shape_written(node: Node | None) -> type[Shape] | None:
     """The shape that a body or part names."""
     written = node.get("shape") if isinstance(node, Map) else None
     return next((shape for shape in SHAPES if isinstance(written, Text) and written.value.strip() == shape.word), None)
@@ -65,19 +65,19 @@ def class_at(section: str, node: Node | None) -> Any:
     return next((cls for cls in TABLES[section][1] if cls.word in written or cls.word == alone), None)
 
 
-def keys_at(reading: Reading, path: Steps) -> Mapping[str, Key]:
+def keys_at(scene: SceneText, path: Steps) -> Mapping[str, Key]:
     """The keys of the language that may stand in the map at a place; none where keys are names."""
     if not path:
         return SECTIONS
-    section, node = str(path[0]), reading.node(path)
+    section, node = str(path[0]), scene.node(path)
     if len(path) == 2 and section in TABLES:
         cls = class_at(section, node)
-        return dict(keys_of(cls)) if cls is not None else chosen(section)
+        return dict(keys_of(cls)) if cls is not None else element_words(section)
     if section == "bodies" and len(path) > 1 and (len(path) == 2 or path[-2] in ("parts", "holes")):
         return keys_of_body(node, PART if len(path) > 2 else {})
     if len(path) == 2 and section in OF_ENTRIES:
         return OF_ENTRIES[section]
-    key = key_at(reading, path)
+    key = key_at(scene, path)
     if key is None:
         return {}
     if key.kind == "radii":
@@ -85,39 +85,39 @@ def keys_at(reading: Reading, path: Steps) -> Mapping[str, Key]:
     return WITHIN_VALUES.get(key.kind, {})
 
 
-def chosen(section: str) -> dict[str, Key]:
+def element_words(section: str) -> dict[str, Key]:
     """The words of a section of which an element has one, as keys: what follows each is what it acts on."""
     return {cls.word: dict(keys_of(cls))[cls.word] for cls in TABLES[section][1] if cls.word in dict(keys_of(cls))}
 
 
 def keys_of_body(node: Node | None, more: Mapping[str, Key]) -> dict[str, Key]:
     """The keys of a body or part, those of its shape among them."""
-    shape = shape_at(node)
+    shape = shape_written(node)
     known = {**BODY, **(dict(keys_of(shape)) if shape is not None else {}), **more}
     return {word: known[word] for word in dict.fromkeys(("shape", *keys_allowed(shape, tuple(more))))}
 
 
-def key_at(reading: Reading, path: Steps) -> Key | None:
+def key_at(scene: SceneText, path: Steps) -> Key | None:
     """What the value at the end of a way is declared to be; that of a list for its items."""
     while path and isinstance(path[-1], int):
         path = path[:-1]
     if not path:
         return None
     word, section = str(path[-1]), str(path[0])
-    found = keys_at(reading, path[:-1]).get(word)
+    found = keys_at(scene, path[:-1]).get(word)
     if found is None and len(path) == 3 and section in TABLES:  # of an element that does not say yet what it is
         found = next((keys[word] for cls in TABLES[section][1] if word in (keys := dict(keys_of(cls)))), None)
     return found
 
 
-def names_as_keys(reading: Reading, path: Steps) -> list[str]:
+def names_as_keys(scene: SceneText, path: Steps) -> list[str]:
     """The names that may be keys at a place: answers are of what is asked, variations of what is given."""
-    asked = reading.names_in("find")
+    asked = scene.names_in("find")
     if path == ("answers",):
         return asked
     if path == ("marking",):
         return [ALL, *asked]
     if path == ("vary",):
-        return [WHERE, *reading.names_in("given")]
-    key = key_at(reading, path) if path else None
-    return reading.scope.names(*key.refers) if key is not None and key.kind == "map of directions" else []
+        return [WHERE, *scene.names_in("given")]
+    key = key_at(scene, path) if path else None
+    return scene.scope.names(*key.refers) if key is not None and key.kind == "map of directions" else []

@@ -22,7 +22,7 @@ BLOCK_TEXT = re.compile(r"[|>][-+0-9]*\s*(?:#.*)?$")
 ESCAPES = {"n": "\n", "t": "\t", "0": "\0"}
 
 
-class Place(NamedTuple):
+class TextEnd(NamedTuple):
     """Where a text ends: the keys that lead there (numbers in lists), whether a key or a value is written, and from which column on.
 
     `role` is "key", "value", "either" on a line of its own below a key, or "" where nothing of the language stands: in a comment, a text
@@ -35,7 +35,7 @@ class Place(NamedTuple):
     within: bool  # between brackets
 
 
-class Frame(Struct):
+class OpenNode(Struct):
     """A map or list that is still open: in a block with its indentation, within brackets with the bracket that opens it."""
 
     opened: str  # "{", "[", or "" of a map and "-" of a list in a block
@@ -61,11 +61,11 @@ class Frame(Struct):
             self.entries.append((self.key, node))
             self.key = None
         elif isinstance(node, Text):
-            self.entries.append((node, nothing(node.span)))
+            self.entries.append((node, empty_value(node.span)))
 
     def node(self) -> Node:
         if self.key is not None:
-            self.put(nothing(self.key.span))
+            self.put(empty_value(self.key.span))
         return List(tuple(self.items), self.span) if self.listed else Map(tuple(self.entries), self.span)
 
     @property
@@ -74,17 +74,17 @@ class Frame(Struct):
         return len(self.items) if self.listed else None if self.key is None else self.key.value
 
 
-def nothing(span: Span) -> Text:
+def empty_value(span: Span) -> Text:
     """The value of a key without one."""
     return Text("", span)
 
 
-def outline_of(text: str) -> Node:
+def outlined(text: str) -> Node:
     """The tree of a text, as far as it goes."""
     return Outliner(text).whole()
 
 
-def place_after(text: str) -> Place:
+def place_after(text: str) -> TextEnd:
     """Where a text ends."""
     return Outliner(text).place()
 
@@ -95,8 +95,8 @@ class Outliner:
     def __init__(self, text: str) -> None:
         self.lines = text.split("\n")
         self.number = 0
-        self.root: Node = nothing(Span(1, 1))
-        self.frames: list[Frame] = []
+        self.root: Node = empty_value(Span(1, 1))
+        self.frames: list[OpenNode] = []
         self.block_text: int | None = None  # the indentation of the key whose text of several lines is read
         self.mark("key", 0)
         for self.number, line in enumerate(self.lines):  # noqa: B020
@@ -107,11 +107,11 @@ class Outliner:
             self.close()
         return self.root
 
-    def place(self) -> Place:
+    def place(self) -> TextEnd:
         number, column = self.start
         typed = self.lines[-1][column:] if number == len(self.lines) - 1 else ""
         within = bool(self.frames) and self.frames[-1].within
-        return Place(self.path, self.role, typed, within)
+        return TextEnd(self.path, self.role, typed, within)
 
     def mark(self, role: str, column: int) -> None:
         """What is written from here on."""
@@ -140,7 +140,7 @@ class Outliner:
     def open(self, opened: str, indent: int, column: int) -> None:
         if self.frames and self.frames[-1].opened == "" and self.frames[-1].indent == indent and not opened:
             return  # the map is open already
-        self.frames.append(Frame(opened, indent, self.span(column, 1)))
+        self.frames.append(OpenNode(opened, indent, self.span(column, 1)))
 
     def close(self) -> None:
         node = self.frames.pop().node()
@@ -207,7 +207,7 @@ class Outliner:
             self.entry(line, indent)
             return
         if not (self.frames and self.frames[-1].opened == "-" and self.frames[-1].indent == indent):
-            self.frames.append(Frame("-", indent, self.span(indent, 1)))
+            self.frames.append(OpenNode("-", indent, self.span(indent, 1)))
         inner = len(line) - len(line[indent + 1 :].lstrip())
         self.mark("value", inner)
         if line[inner:]:
@@ -221,7 +221,7 @@ class Outliner:
             self.open("", column, column)
             frame = self.frames[-1]
             if frame.key is not None:
-                frame.put(nothing(frame.key.span))
+                frame.put(empty_value(frame.key.span))
             self.mark("key", column)
             frame.key = self.text(match["key"], column)
             self.value(line, match.end())
@@ -236,7 +236,7 @@ class Outliner:
             self.open("", column, column)
             frame = self.frames[-1]
             if frame.key is not None:
-                frame.put(nothing(frame.key.span))
+                frame.put(empty_value(frame.key.span))
             self.mark("key", column)
             frame.put(self.text(PLAIN.match(line, column)[0], column))  # type: ignore[index]  # it fits everything
 
@@ -250,7 +250,7 @@ class Outliner:
         if rest[0] == "#":
             self.role = ""
         elif rest[0] in "{[":
-            self.frames.append(Frame(rest[0], len(line), self.span(column, len(rest))))
+            self.frames.append(OpenNode(rest[0], len(line), self.span(column, len(rest))))
             self.slot(column + 1)
             self.brackets(line, column + 1)
         elif self.frames and BLOCK_TEXT.match(rest):
@@ -277,14 +277,14 @@ class Outliner:
                 self.role = ""
                 return
             if letter in "{[":
-                self.frames.append(Frame(letter, len(line), self.span(column, 1)))
+                self.frames.append(OpenNode(letter, len(line), self.span(column, 1)))
                 self.slot(column + 1)
             elif letter in "}]":
                 self.close()
                 self.role = ""
             elif letter == ",":
                 if frame.key is not None:
-                    frame.put(nothing(frame.key.span))
+                    frame.put(empty_value(frame.key.span))
                 self.slot(column + 1)
             elif not letter.isspace():
                 column = self.scalar(frame, line, column)
@@ -293,7 +293,7 @@ class Outliner:
                 self.start = (self.number, column + 1)  # what is written begins behind the blanks
             column += 1
 
-    def scalar(self, frame: Frame, line: str, column: int) -> int:
+    def scalar(self, frame: OpenNode, line: str, column: int) -> int:
         """A key or value between brackets; where it ends."""
         found = (QUOTED if line[column] in "\"'" else PLAIN_WITHIN).match(line, column)
         written = found[0] if found and found[0] else line[column]

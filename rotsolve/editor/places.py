@@ -6,30 +6,32 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rotsolve.core.faults import Span
-from rotsolve.editor.help import word_of
-from rotsolve.editor.reading import Reading
+from rotsolve.editor.help import word_under
+from rotsolve.editor.scene_text import SceneText
 from rotsolve.scene.tree import Map, Node, Text
 
 
-class Symbol(NamedTuple):
+class OutlineEntry(NamedTuple):
     """A section, or a name in one: where it stands, how far what belongs to it goes (in lines from 1), and what it is."""
 
     name: str
     span: Span
     last: int
     detail: str
-    inner: tuple[Symbol, ...] = ()
+    inner: tuple[OutlineEntry, ...] = ()
 
 
-def symbols(reading: Reading) -> Iterator[Symbol]:
+def symbols(scene: SceneText) -> Iterator[OutlineEntry]:
     """The sections with their names."""
-    tree = reading.tree
+    tree = scene.tree
     for key, node in tree.entries if isinstance(tree, Map) else ():
         inner = tuple(
-            Symbol(name.value, name.span, last_line(value, name), value.value if isinstance(value, Text) else "")
+            OutlineEntry(name.value, name.span, last_line(value, name), value.value if isinstance(value, Text) else "")
             for name, value in (node.entries if isinstance(node, Map) else ())
         )
-        yield Symbol(key.value, key.span, last_line(node, key), node.value if isinstance(node, Text) else "", inner)
+        yield OutlineEntry(
+            key.value, key.span, last_line(node, key), node.value if isinstance(node, Text) else "", inner
+        )
 
 
 def last_line(node: Node, key: Text) -> int:
@@ -41,8 +43,8 @@ def last_line(node: Node, key: Text) -> int:
     return max((last_line(item, key) for item in node.items), default=key.span.line)
 
 
-def declared_at(reading: Reading, line: int, column: int) -> Span | None:
+def declared_at(scene: SceneText, line: int, column: int) -> Span | None:
     """Where the name at a place is declared; line and column count from 0."""
-    found = reading.at(line, column)
-    word = word_of(found) if found is not None else None
-    return reading.scope.places.get(word[0]) if word is not None else None
+    found = scene.at(line, column)
+    word = word_under(found) if found is not None else None
+    return scene.scope.places.get(word[0]) if word is not None else None

@@ -17,16 +17,16 @@ from pygls.workspace import PositionCodec
 
 from rotsolve import __version__
 from rotsolve.core.faults import CONTRADICTORY, INCOMPLETE, UNREACHED, UNSOLVED, Fault, Span
-from rotsolve.editor.completion import proposals_at
+from rotsolve.editor.completion import offers_at
 from rotsolve.editor.fixes import fixes
 from rotsolve.editor.help import help_at
-from rotsolve.editor.places import Symbol, declared_at, symbols
-from rotsolve.editor.proposals import Proposal
-from rotsolve.editor.reading import Reading
-from rotsolve.editor.trial import Trials
+from rotsolve.editor.offers import Offer
+from rotsolve.editor.places import OutlineEntry, declared_at, symbols
+from rotsolve.editor.scene_text import SceneText
+from rotsolve.editor.trial import BackgroundTrial
 
 PAUSE = 0.2  # seconds without a key before what is written is read
-SORTS = {  # of proposals, as the protocol has them
+SORTS = {  # of offers, as the protocol has them
     "key": types.CompletionItemKind.Property,
     "name": types.CompletionItemKind.Variable,
     "element": types.CompletionItemKind.Struct,
@@ -51,31 +51,31 @@ class SceneServer(LanguageServer):
 
     def __init__(self) -> None:
         super().__init__("rotsolve", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full)
-        self.readings: dict[str, Reading] = {}
+        self.texts: dict[str, SceneText] = {}
         self.waiting: dict[str, asyncio.TimerHandle] = {}
-        self.trials = Trials()
+        self.trials = BackgroundTrial()
         register(self)
 
     @property
     def codec(self) -> PositionCodec:
         return self.workspace.position_codec
 
-    def reading(self, uri: str) -> Reading:
-        """The reading of a text as it is now."""
+    def scene(self, uri: str) -> SceneText:
+        """A text as it is now."""
         source = self.workspace.get_text_document(uri).source
-        known = self.readings.get(uri)
+        known = self.texts.get(uri)
         if known is None or known.whole != source:
-            known = self.readings[uri] = Reading(source)
+            known = self.texts[uri] = SceneText(source)
         return known
 
     def position(self, uri: str, position: types.Position) -> tuple[int, int]:
         """Line and column in characters, both from 0, of a position of the client."""
-        found = self.codec.position_from_client_units(self.reading(uri).lines, position)
+        found = self.codec.position_from_client_units(self.scene(uri).lines, position)
         return found.line, found.character
 
     def range(self, uri: str, span: Span | None) -> types.Range:
         """A span as the client counts; that of a fault without a place is the first line."""
-        lines = self.reading(uri).lines
+        lines = self.scene(uri).lines
         if span is None or not 1 <= span.line <= len(lines):
             whole = types.Range(types.Position(0, 0), types.Position(0, len(lines[0])))
             return self.codec.range_to_client_units(lines, whole)
@@ -98,17 +98,17 @@ class SceneServer(LanguageServer):
         self.forget_pause(uri)
         if uri not in self.workspace.text_documents:
             return
-        reading = self.reading(uri)
-        self.publish(uri, reading.faults)
-        if solve and reading.is_scene and not reading.faults:
+        scene = self.scene(uri)
+        self.publish(uri, scene.faults)
+        if solve and scene.is_scene and not scene.faults:
             loop = asyncio.get_running_loop()
             self.trials.begin(
-                reading.whole, lambda found: loop.call_soon_threadsafe(self.show_trial, uri, reading.whole, found)
+                scene.whole, lambda found: loop.call_soon_threadsafe(self.show_trial, uri, scene.whole, found)
             )
 
     def show_trial(self, uri: str, text: str, found: tuple[Fault, ...]) -> None:
         """Show what a trial has found out, if the text is still the one that was tried."""
-        if uri in self.workspace.text_documents and self.reading(uri).whole == text:
+        if uri in self.workspace.text_documents and self.scene(uri).whole == text:
             self.publish(uri, found)
 
     def check_soon(self, uri: str) -> None:
@@ -124,64 +124,66 @@ class SceneServer(LanguageServer):
 
 def register(server: SceneServer) -> None:
     """The features of the server."""
-    server.feature(types.TEXT_DOCUMENT_DID_OPEN)(opened)
-    server.feature(types.TEXT_DOCUMENT_DID_CHANGE)(changed)
-    server.feature(types.TEXT_DOCUMENT_DID_SAVE)(saved)
-    server.feature(types.TEXT_DOCUMENT_DID_CLOSE)(closed)
+    server.feature(types.TEXT_DOCUMENT_DID_OPEN)(on_open)
+    server.feature(types.TEXT_DOCUMENT_DID_CHANGE)(on_change)
+    server.feature(types.TEXT_DOCUMENT_DID_SAVE)(on_save)
+    server.feature(types.TEXT_DOCUMENT_DID_CLOSE)(on_close)
     options = types.CompletionOptions(trigger_characters=[".", " ", "{", "["])
     server.feature(types.TEXT_DOCUMENT_COMPLETION, options)(completion)
     server.feature(types.TEXT_DOCUMENT_HOVER)(hover)
     kinds = types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix])
     server.feature(types.TEXT_DOCUMENT_CODE_ACTION, kinds)(code_actions)
     server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)(document_symbols)
-    server.feature(types.TEXT_DOCUMENT_DEFINITION)(definition)
+    server.feature(types.TEXT_DOCUMENT_DEFINITION)(definition_of)
 
 
-def opened(server: SceneServer, params: types.DidOpenTextDocumentParams) -> None:
+def on_open(server: SceneServer, params: types.DidOpenTextDocumentParams) -> None:
     server.check(params.text_document.uri, solve=True)
 
 
-def changed(server: SceneServer, params: types.DidChangeTextDocumentParams) -> None:
+def on_change(server: SceneServer, params: types.DidChangeTextDocumentParams) -> None:
     server.check_soon(params.text_document.uri)
 
 
-def saved(server: SceneServer, params: types.DidSaveTextDocumentParams) -> None:
+def on_save(server: SceneServer, params: types.DidSaveTextDocumentParams) -> None:
     server.check(params.text_document.uri, solve=True)
 
 
-def closed(server: SceneServer, params: types.DidCloseTextDocumentParams) -> None:
+def on_close(server: SceneServer, params: types.DidCloseTextDocumentParams) -> None:
     uri = params.text_document.uri
     server.forget_pause(uri)
-    server.readings.pop(uri, None)
+    server.texts.pop(uri, None)
     server.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
 
 
 def completion(server: SceneServer, params: types.CompletionParams) -> types.CompletionList:
     uri = params.text_document.uri
     line, column = server.position(uri, params.position)
-    found, typed = proposals_at(server.reading(uri), line, column)
+    found, typed = offers_at(server.scene(uri), line, column)
     place = server.range(uri, Span(line + 1, column - typed + 1, typed))
-    items = [item_of(proposal, place, number) for number, proposal in enumerate(found)]
+    asked = server.client_capabilities.text_document
+    stops = bool(asked and asked.completion and (item := asked.completion.completion_item) and item.snippet_support)
+    items = [item_of(offer, place, number, stops) for number, offer in enumerate(found)]
     return types.CompletionList(is_incomplete=False, items=items)
 
 
-def item_of(proposal: Proposal, place: types.Range, number: int) -> types.CompletionItem:
-    """A proposal in the words of the protocol; they keep their order."""
+def item_of(offer: Offer, place: types.Range, number: int, stops: bool) -> types.CompletionItem:
+    """An offer in the words of the protocol, with stops of the tab key where the client knows them; offers keep their order."""
     formats = types.InsertTextFormat
     return types.CompletionItem(
-        proposal.label,
-        kind=SORTS[proposal.sort],
-        documentation=types.MarkupContent(types.MarkupKind.Markdown, proposal.help) if proposal.help else None,
+        offer.label,
+        kind=SORTS[offer.sort],
+        documentation=types.MarkupContent(types.MarkupKind.Markdown, offer.help) if offer.help else None,
         sort_text=f"{number:04}",
-        filter_text=proposal.label,
-        insert_text_format=formats.Snippet if proposal.snippet else formats.PlainText,
-        text_edit=types.TextEdit(place, proposal.insert or proposal.label),
+        filter_text=offer.label,
+        insert_text_format=formats.Snippet if offer.snippet and stops else formats.PlainText,
+        text_edit=types.TextEdit(place, (offer.insert or offer.label) if stops else offer.plain),
     )
 
 
 def hover(server: SceneServer, params: types.HoverParams) -> types.Hover | None:
     uri = params.text_document.uri
-    found = help_at(server.reading(uri), *server.position(uri, params.position))
+    found = help_at(server.scene(uri), *server.position(uri, params.position))
     if found is None:
         return None
     text, span = found
@@ -193,7 +195,7 @@ def code_actions(server: SceneServer, params: types.CodeActionParams) -> list[ty
     uri = params.text_document.uri
     first, last = params.range.start.line, params.range.end.line
     found: list[types.CodeAction] = []
-    for fix in fixes(server.reading(uri).faults):
+    for fix in fixes(server.scene(uri).faults):
         place = server.range(uri, fix.span)
         before = (place.end.line, place.end.character) < (first, params.range.start.character)
         beyond = (place.start.line, place.start.character) > (last, params.range.end.character)
@@ -208,22 +210,24 @@ def code_actions(server: SceneServer, params: types.CodeActionParams) -> list[ty
 
 def document_symbols(server: SceneServer, params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
     uri = params.text_document.uri
-    return [symbol_of(server, uri, symbol, types.SymbolKind.Namespace) for symbol in symbols(server.reading(uri))]
+    return [protocol_symbol(server, uri, symbol, types.SymbolKind.Namespace) for symbol in symbols(server.scene(uri))]
 
 
-def symbol_of(server: SceneServer, uri: str, symbol: Symbol, kind: types.SymbolKind) -> types.DocumentSymbol:
-    lines = server.reading(uri).lines
+def protocol_symbol(
+    server: SceneServer, uri: str, symbol: OutlineEntry, kind: types.SymbolKind
+) -> types.DocumentSymbol:
+    lines = server.scene(uri).lines
     own = server.range(uri, symbol.span)
     end = server.range(uri, Span(symbol.last, 1, len(lines[symbol.last - 1]))).end
-    inner = [symbol_of(server, uri, item, types.SymbolKind.Variable) for item in symbol.inner]
+    inner = [protocol_symbol(server, uri, item, types.SymbolKind.Variable) for item in symbol.inner]
     return types.DocumentSymbol(
         symbol.name or "…", kind, types.Range(own.start, end), own, symbol.detail, children=inner
     )
 
 
-def definition(server: SceneServer, params: types.DefinitionParams) -> types.Location | None:
+def definition_of(server: SceneServer, params: types.DefinitionParams) -> types.Location | None:
     uri = params.text_document.uri
-    span = declared_at(server.reading(uri), *server.position(uri, params.position))
+    span = declared_at(server.scene(uri), *server.position(uri, params.position))
     return None if span is None else types.Location(uri, server.range(uri, span))
 
 

@@ -34,7 +34,7 @@ def objections(text: str) -> tuple[Fault, ...]:
     return (*refused, *(Fault(text, None, "", CONTRADICTORY) for text in told))
 
 
-class Trials:
+class BackgroundTrial:
     """One trial at a time: a new one takes the place of the one that runs."""
 
     def __init__(self) -> None:

@@ -1,8 +1,7 @@
-"""What is proposed where: keys by the level, names, points, quantities, choices, units; and that what is proposed may stand there."""
+"""What is offered where: keys by the level, names, points, quantities, choices, units; and that what is offered may stand there."""
 
 from __future__ import annotations
 
-import re
 import time
 from pathlib import Path
 
@@ -10,9 +9,9 @@ import pytest
 
 from rotsolve.core.faults import SceneError
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.editor.completion import proposals_at
-from rotsolve.editor.proposals import Proposal
-from rotsolve.editor.reading import Reading
+from rotsolve.editor.completion import offers_at
+from rotsolve.editor.offers import Offer
+from rotsolve.editor.scene_text import SceneText
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.language.grammar import SECTIONS
 from rotsolve.language.keys import keys_of
@@ -35,15 +34,15 @@ states:
 SPACE = "up: z\nbodies:\n  top: {shape: cone, mass: 1 kg, radius: 1 m, length: 1 m}\nconnections:\n  joint: {ball: top.tip}\n"
 
 
-def proposed(marked: str) -> list[Proposal]:
-    """What is proposed at the mark `|` of a text."""
+def offered(marked: str) -> list[Offer]:
+    """What is offered at the mark `|` of a text."""
     before, _, after = marked.partition("|")
     line, column = before.count("\n"), len(before) - before.rfind("\n") - 1
-    return proposals_at(Reading(before + after), line, column)[0]
+    return offers_at(SceneText(before + after), line, column)[0]
 
 
 def labels(marked: str) -> set[str]:
-    return {item.label for item in proposed(marked)}
+    return {item.label for item in offered(marked)}
 
 
 @pytest.mark.parametrize(
@@ -105,22 +104,16 @@ def labels(marked: str) -> set[str]:
         ("text: >\n  a text |", set(), {"given"}),
     ],
 )
-def test_what_is_proposed(marked: str, there: set[str], not_there: set[str]) -> None:
+def test_what_is_offered(marked: str, there: set[str], not_there: set[str]) -> None:
     found = labels(marked)
     assert there - found == set() and not_there & found == set()
-
-
-def filled(item: Proposal) -> str:
-    """What a proposal writes, with its stops as they are proposed."""
-    text = re.sub(r"\$\{\d+\|([^,|}]*)[^}]*\}", r"\1", item.insert or item.label)
-    return re.sub(r"\$\{\d+:([^}]*)\}", r"\1", text)
 
 
 @pytest.mark.parametrize(("section", "kind"), [(section, kind) for section, (kind, _) in TABLES.items()])
 def test_whole_elements_are_written_as_they_are_read(section: str, kind: str) -> None:
     """The names in them are examples, so that faults speak of names alone."""
-    for item in proposed(f"{section}:\n  it: |"):
-        text = f"{section}:\n  it: {filled(item)}\nfind: {{x: 1 + 1}}\n"
+    for item in offered(f"{section}:\n  it: |"):
+        text = f"{section}:\n  it: {item.plain}\nfind: {{x: 1 + 1}}\n"
         try:
             read_text(text)
         except SceneError as error:
@@ -129,14 +122,14 @@ def test_whole_elements_are_written_as_they_are_read(section: str, kind: str) ->
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=lambda shape: shape.word)
-def test_the_keys_of_a_shape_are_proposed(shape: type) -> None:
+def test_the_keys_of_a_shape_are_offered(shape: type) -> None:
     own = {word for word, _ in keys_of(shape)}  # type: ignore[arg-type]
     assert own <= labels(f"bodies:\n  it: {{shape: {shape.word}, |")  # type: ignore[attr-defined]
 
 
 def test_what_is_proposed_of_a_body_can_be_asked() -> None:
     scene = BASE.replace("  cord: {string: [rod.end, block]}\n", "")
-    for item in proposed(scene + "find: {a: rod.|"):
+    for item in offered(scene + "find: {a: rod.|"):
         asked = f"rod.{item.label}" + ("" if item.label in QUANTITIES else ".velocity")
         if item.label == "at(x)":
             continue
@@ -148,10 +141,10 @@ def test_what_is_proposed_of_a_body_can_be_asked() -> None:
 
 def test_what_replaces_what() -> None:
     text = "bodies:\n  a: {shape: rod, len"
-    assert proposals_at(Reading(text), 1, 21)[1] == 3
-    assert proposals_at(Reading(BASE + "find: {a: rod.end.vel"), 11, 21)[1] == 3
-    assert proposals_at(Reading(BASE + "  l: {at r"), 11, 10)[1] == 4
-    keep = {item.label: item.insert for item in proposed("gi|ven: {m: 2 kg}")}
+    assert offers_at(SceneText(text), 1, 21)[1] == 3
+    assert offers_at(SceneText(BASE + "find: {a: rod.end.vel"), 11, 21)[1] == 3
+    assert offers_at(SceneText(BASE + "  l: {at r"), 11, 10)[1] == 4
+    keep = {item.label: item.insert for item in offered("gi|ven: {m: 2 kg}")}
     assert keep["given"] == "given", "its colon is there already"
 
 
@@ -164,6 +157,6 @@ def test_it_is_there_before_the_next_key(file: str) -> None:
     took = []
     for _ in range(3):
         start = time.perf_counter()
-        assert proposals_at(Reading(text), text.count("\n"), 5)[0]
+        assert offers_at(SceneText(text), text.count("\n"), 5)[0]
         took.append(time.perf_counter() - start)
     assert min(took) < 0.05, "seconds, with all that is read for it"

@@ -11,7 +11,7 @@ import pytest
 from rotsolve.editor.fixes import fixes
 from rotsolve.editor.help import help_at
 from rotsolve.editor.places import declared_at, symbols
-from rotsolve.editor.reading import Reading
+from rotsolve.editor.scene_text import SceneText
 
 SCENE = """given: {m: 2 kg, R: 20 cm, L: 2*R, n: 10 rev/min, F: 3 lbf, q: unknown, z: kg, a0: L*R}
 surfaces: {floor: level}
@@ -37,7 +37,7 @@ def told(marked: str, before: str = SCENE) -> str:
     """What is told at the mark `|` within a line of the scene."""
     start, _, rest = marked.partition("|")
     place = before.index(start + rest) + len(start)
-    found = help_at(Reading(before), before.count("\n", 0, place), place - before.rfind("\n", 0, place) - 1)
+    found = help_at(SceneText(before), before.count("\n", 0, place), place - before.rfind("\n", 0, place) - 1)
     return found[0] if found else ""
 
 
@@ -77,9 +77,9 @@ def test_what_is_told(marked: str, text: str) -> None:
 
 
 def test_nothing_is_told_of_nothing() -> None:
-    assert help_at(Reading(SCENE), 3, 0) is None
-    assert help_at(Reading(""), 0, 0) is None
-    assert help_at(Reading(SCENE), 999, 3) is None
+    assert help_at(SceneText(SCENE), 3, 0) is None
+    assert help_at(SceneText(""), 0, 0) is None
+    assert help_at(SceneText(SCENE), 999, 3) is None
 
 
 def test_a_letter_is_told_in_a_text_that_is_broken() -> None:
@@ -89,15 +89,15 @@ def test_a_letter_is_told_in_a_text_that_is_broken() -> None:
 
 def test_a_name_leads_to_where_it_is_declared() -> None:
     line = SCENE.split("\n")[15]
-    found = declared_at(Reading(SCENE), 15, line.index("rod."))
+    found = declared_at(SceneText(SCENE), 15, line.index("rod."))
     assert found is not None and (found.line, found.column) == (5, 3)
-    assert declared_at(Reading(SCENE), 15, line.index("lost")) is None
+    assert declared_at(SceneText(SCENE), 15, line.index("lost")) is None
 
 
 def test_the_outline_has_all_names() -> None:
-    found = {symbol.name: [inner.name for inner in symbol.inner] for symbol in symbols(Reading(SCENE))}
+    found = {symbol.name: [inner.name for inner in symbol.inner] for symbol in symbols(SceneText(SCENE))}
     assert found["bodies"] == ["block", "rod", "box"] and found["find"] == ["a", "b"]
-    box = next(inner for symbol in symbols(Reading(SCENE)) for inner in symbol.inner if inner.name == "box")
+    box = next(inner for symbol in symbols(SceneText(SCENE)) for inner in symbol.inner if inner.name == "box")
     assert (box.span.line, box.last) == (6, 8)
 
 
@@ -113,11 +113,11 @@ def bad_scenes() -> list[str]:
 def test_each_fix_removes_its_fault() -> None:
     count = 0
     for text in bad_scenes():
-        for fix in fixes(Reading(text).faults):
+        for fix in fixes(SceneText(text).faults):
             lines = text.split("\n")
             line, start = lines[fix.span.line - 1], fix.span.column - 1
             lines[fix.span.line - 1] = line[:start] + fix.word + line[start + fix.span.length :]
-            left = Reading("\n".join(lines)).faults
+            left = SceneText("\n".join(lines)).faults
             assert not [item for item in left if (item.span, item.kind) == (fix.span, fix.fault.kind)], (text, fix)
             assert fix.fault.message not in [item.message for item in left]
             count += 1
@@ -126,7 +126,7 @@ def test_each_fix_removes_its_fault() -> None:
 
 def test_all_that_the_reader_says_did_you_mean_of_is_a_fix() -> None:
     for text in bad_scenes():
-        faults = Reading(text).faults
+        faults = SceneText(text).faults
         meant = [fault for fault in faults if fault.help.startswith("did you mean") and fault.span is not None]
         assert [fix.fault for fix in fixes(faults)] == meant
 
@@ -135,7 +135,7 @@ def test_all_that_the_reader_says_did_you_mean_of_is_a_fix() -> None:
     "text", ["", "# nothing yet\n", "services:\n  web: {image: nginx}\n", "- a\n- b\n", "a text", "a: [1\nb: {"]
 )
 def test_other_yaml_has_no_faults(text: str) -> None:
-    assert Reading(text).faults == ()
+    assert SceneText(text).faults == ()
 
 
 @pytest.mark.parametrize(
@@ -149,4 +149,4 @@ def test_other_yaml_has_no_faults(text: str) -> None:
     ],
 )
 def test_a_scene_has_its_faults(text: str) -> None:
-    assert Reading(text).faults
+    assert SceneText(text).faults

@@ -52,13 +52,19 @@ class Editor(LanguageClient):
 
 
 @asynccontextmanager
-async def session(text: str, encodings: list[types.PositionEncodingKind] | None = None) -> AsyncIterator[Editor]:
+async def session(
+    text: str, encodings: list[types.PositionEncodingKind] | None = None, *, stops: bool = False
+) -> AsyncIterator[Editor]:
     """An editor with one text open; at its end the server leaves as it is asked to."""
     editor = Editor()
     await editor.start_io(sys.executable, "-m", "rotsolve", "lsp")
     general = types.GeneralClientCapabilities(position_encodings=encodings)
-    asked = types.InitializeParams(types.ClientCapabilities(general=general))
-    await asyncio.wait_for(editor.initialize_async(asked), PATIENCE)
+    completion = types.CompletionClientCapabilities(
+        completion_item=types.ClientCompletionItemOptions(snippet_support=stops)
+    )
+    asked = types.TextDocumentClientCapabilities(completion=completion)
+    able = types.ClientCapabilities(general=general, text_document=asked)
+    await asyncio.wait_for(editor.initialize_async(types.InitializeParams(able)), PATIENCE)
     editor.initialized(types.InitializedParams())
     document = types.TextDocumentItem(URI, "yaml", 1, text)
     editor.text_document_did_open(types.DidOpenTextDocumentParams(document))
@@ -160,5 +166,19 @@ def test_what_the_solver_refuses_is_shown_at_its_place() -> None:
             editor.text_document_did_save(types.DidSaveTextDocumentParams(types.TextDocumentIdentifier(URI)))
             assert await editor.next() == []
             assert await editor.next() == [], "what is solved has nothing against it"
+
+    asyncio.run(ask())
+
+
+@pytest.mark.parametrize(
+    ("stops", "text"),
+    [(True, "{shape: rod, mass: ${1:3 kg}, length: ${2:20 cm}}"), (False, "{shape: rod, mass: 3 kg, length: 20 cm}")],
+)
+def test_snippets_are_for_editors_that_know_them(stops: bool, text: str) -> None:
+    async def ask() -> None:
+        async with session("bodies:\n  a: ", stops=stops) as editor:
+            item = next(item for item in await editor.complete(1, 5) if item.label == "rod")
+            assert isinstance(item.text_edit, types.TextEdit) and item.text_edit.new_text == text
+            assert (item.insert_text_format == types.InsertTextFormat.Snippet) == stops
 
     asyncio.run(ask())

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rotsolve.editor.outline import outline_of, place_after
-from rotsolve.editor.reading import Reading
+from rotsolve.editor.outline import outlined, place_after
+from rotsolve.editor.scene_text import SceneText
 from rotsolve.scene.tree import List, Map, Node, Text, compose
 
 PROBLEMS = sorted((Path(__file__).resolve().parents[2] / "problems").glob("*/*.yaml"))
@@ -62,7 +62,7 @@ def differences(parsed: Node, outlined: Node, way: str = "") -> list[str]:
 
 def test_of_yaml_it_is_what_the_parser_reads() -> None:
     for text in (ODD, *(path.read_text(encoding="utf-8") for path in PROBLEMS)):
-        assert differences(compose(text, "")[0], outline_of(text)) == []
+        assert differences(compose(text, "")[0], outlined(text)) == []
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_every_beginning_of_a_scene_has_an_end_and_is_read() -> None:
             assert place.role in ("key", "value", "either", "")
             assert all(isinstance(step, (str, int)) for step in place.path)
         for stop in range(0, len(text), max(1, len(text) // 8)):
-            assert Reading(text[:stop]).scope is not None
+            assert SceneText(text[:stop]).scope is not None
 
 
 @given(st.sampled_from(TEXTS), st.data())
@@ -114,6 +114,6 @@ def test_whatever_is_torn_out_or_put_in_it_reads_on(text: str, data: st.DataObje
     stop = data.draw(st.integers(start, min(len(text), start + 40)))
     put = data.draw(st.text(alphabet="ab:{}[],'\"\n -#|>&*%\t½𝛚", max_size=8))
     torn = text[:start] + put + text[stop:]
-    assert isinstance(outline_of(torn), (Text, List, Map))
+    assert isinstance(outlined(torn), (Text, List, Map))
     place_after(torn[: start + len(put)])
-    assert Reading(torn).scope is not None
+    assert SceneText(torn).scope is not None

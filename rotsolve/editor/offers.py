@@ -1,7 +1,8 @@
-"""Proposals: what may be written next, whatever protocol tells it to an editor."""
+"""Offers: what may be written next, whatever protocol tells it to an editor."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from msgspec import Struct
@@ -9,8 +10,10 @@ from msgspec import Struct
 from rotsolve.algebra.units.dimension import KINDS, NONE, Dimension, describe
 from rotsolve.algebra.units.unit_table import UNITS
 
+STOP = re.compile(r"\$\{\d+(?::([^}]*)|\|([^,|]*)[^}]*)\}")
 
-class Proposal(Struct, frozen=True):
+
+class Offer(Struct, frozen=True):
     """One thing that may be written: its label, what sort of thing it is, its help, and what is inserted where that is not the label.
 
     A `snippet` has stops of the tab key, `radius: ${1:20 cm}`.
@@ -22,24 +25,30 @@ class Proposal(Struct, frozen=True):
     insert: str = ""
     snippet: bool = False
 
+    @property
+    def plain(self) -> str:
+        """What is inserted where an editor knows no snippets: the values as they are proposed, of choices the first."""
+        text = self.insert or self.label
+        return STOP.sub(lambda stop: stop[1] or stop[2] or "", text) if self.snippet else text
 
-def each(labels: Iterable[str], sort: str, help: str = "") -> Iterator[Proposal]:
+
+def offers(labels: Iterable[str], sort: str, help: str = "") -> Iterator[Offer]:
     """The same help for several labels."""
-    yield from (Proposal(label, sort, help) for label in labels)
+    yield from (Offer(label, sort, help) for label in labels)
 
 
-def proposed_units(dimension: Dimension | None) -> Iterator[Proposal]:
+def units_offered(dimension: Dimension | None) -> Iterator[Offer]:
     """The units in which a dimension is measured; all where none is wanted."""
     composed = {kind.unit: kind.dimension for kind in KINDS if kind.unit}
     named = {name: unit.dimension for name, unit in UNITS.items() if name in (unit.text, "deg")}
     for name, measured in {**named, **composed}.items():
         if dimension is None or measured == dimension or (measured.matches(dimension) and measured != NONE):
-            yield Proposal(name, "unit", describe(measured, article=True))
+            yield Offer(name, "unit", describe(measured, article=True))
 
 
-def once(proposals: Iterable[Proposal]) -> list[Proposal]:
+def once(offers: Iterable[Offer]) -> list[Offer]:
     """The first of each label."""
-    found: dict[str, Proposal] = {}
-    for proposal in proposals:
-        found.setdefault(proposal.label, proposal)
+    found: dict[str, Offer] = {}
+    for offer in offers:
+        found.setdefault(offer.label, offer)
     return list(found.values())

@@ -1,4 +1,4 @@
-"""Reading: one version of a text as an editor asks about it: its faults, its tree as far as it goes, what the reader knows by it."""
+"""Scene text: one version of a text as an editor asks about it: its faults, its tree as far as it goes, what the reader knows by it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from rotsolve.core.faults import Fault, SceneError, Span
-from rotsolve.editor.outline import Place, outline_of, place_after
+from rotsolve.editor.outline import TextEnd, outlined, place_after
 from rotsolve.language.grammar import SECTIONS
 from rotsolve.scene.read import Sections, read_text
 from rotsolve.scene.scope import Scope
@@ -17,7 +17,7 @@ from rotsolve.scene.tree import BYTES, List, Map, Node, Text
 Steps = tuple[str | int, ...]
 
 
-class Found(NamedTuple):
+class ScalarAt(NamedTuple):
     """The scalar at a place: the way to it, whether it is a key, itself, and how many characters of it stand before the place."""
 
     path: Steps
@@ -26,7 +26,7 @@ class Found(NamedTuple):
     offset: int
 
 
-class Reading:
+class SceneText:
     """A version of a text; what is asked of it is worked out once."""
 
     def __init__(self, text: str) -> None:
@@ -56,7 +56,7 @@ class Reading:
 
     @cached_property
     def tree(self) -> Node:
-        return outline_of(self.text)
+        return outlined(self.text)
 
     @cached_property
     def scope(self) -> Scope:
@@ -66,7 +66,7 @@ class Reading:
             Sections(scope, self.tree, {}).problem("", tuple(self.lines))
         return scope
 
-    def before(self, line: int, column: int) -> Place:
+    def ending_before(self, line: int, column: int) -> TextEnd:
         """Where the text before a place ends; line and column count from 0."""
         above = self.lines[:line]
         return place_after("\n".join((*above, self.line(line)[:column])))
@@ -91,27 +91,27 @@ class Reading:
         nodes = (self.node((section,)) for section in sections)
         return [key.value for node in nodes if isinstance(node, Map) for key, _ in node.entries]
 
-    def at(self, line: int, column: int) -> Found | None:
+    def at(self, line: int, column: int) -> ScalarAt | None:
         """The scalar at a place, or that ends there; line and column count from 0."""
         for path, is_key, text, _ in scalars(self.tree, ()):
-            if holds(text.span, line, column):
-                return Found(path, is_key, text, column - text.span.column + 1)
+            if covers(text.span, line, column):
+                return ScalarAt(path, is_key, text, column - text.span.column + 1)
         return None
 
 
-def scalars(node: Node, path: Steps) -> Iterator[Found]:
+def scalars(node: Node, path: Steps) -> Iterator[ScalarAt]:
     """All keys and values of a tree that are written, in the order of the text."""
     if isinstance(node, Text):
         if node.value:
-            yield Found(path, False, node, 0)
+            yield ScalarAt(path, False, node, 0)
     elif isinstance(node, List):
         for number, item in enumerate(node.items):
             yield from scalars(item, (*path, number))
     else:
         for key, value in node.entries:
-            yield Found((*path, key.value), True, key, 0)
+            yield ScalarAt((*path, key.value), True, key, 0)
             yield from scalars(value, (*path, key.value))
 
 
-def holds(span: Span, line: int, column: int) -> bool:
+def covers(span: Span, line: int, column: int) -> bool:
     return span.line == line + 1 and span.column - 1 <= column <= span.column - 1 + span.length
