@@ -79,7 +79,7 @@ def in_state(scene: SceneText, typed: str, colon: str) -> Iterator[Offer]:
     else:
         ended = list(owned(scope, words))
     for offer in ended:
-        yield offer if offer.sort == "point" else replace(offer, insert=f"{offer.label}{colon}")
+        yield offer if offer.sort == "point" else replace(offer, insert=f"{offer.word}{colon}")
 
 
 def values_offered(scene: SceneText, place: TextEnd) -> Iterator[Offer]:
@@ -134,7 +134,7 @@ def of_given(scene: SceneText, typed: str, name: str) -> Iterator[Offer]:
         yield from units_offered(None)
     if not after_number(typed):
         yield from offers(["unknown", "number"], "word", "asked for, or a letter without a unit")
-        yield from (item for item in names_of(scene.scope, "given") if item.label != name)
+        yield from (item for item in names_of(scene.scope, "given") if item.word != name)
 
 
 def of_state_line(scene: SceneText, line: str, typed: str) -> Iterator[Offer]:

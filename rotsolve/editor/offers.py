@@ -14,12 +14,12 @@ STOP = re.compile(r"\$\{\d+(?::([^}]*)|\|([^,|]*)[^}]*)\}")
 
 
 class Offer(Struct, frozen=True):
-    """One thing that may be written: its label, what sort of thing it is, its help, and what is inserted where that is not the label.
+    """One thing that may be written: its word, what sort of thing it is, its help, and what is inserted where that is not the word.
 
     A `snippet` has stops of the tab key, `radius: ${1:20 cm}`.
     """
 
-    label: str
+    word: str
     sort: str
     help: str = ""
     insert: str = ""
@@ -28,13 +28,13 @@ class Offer(Struct, frozen=True):
     @property
     def plain(self) -> str:
         """What is inserted where an editor knows no snippets: the values as they are proposed, of choices the first."""
-        text = self.insert or self.label
+        text = self.insert or self.word
         return STOP.sub(lambda stop: stop[1] or stop[2] or "", text) if self.snippet else text
 
 
-def offers(labels: Iterable[str], sort: str, help: str = "") -> Iterator[Offer]:
-    """The same help for several labels."""
-    yield from (Offer(label, sort, help) for label in labels)
+def offers(words: Iterable[str], sort: str, help: str = "") -> Iterator[Offer]:
+    """The same help for several words."""
+    yield from (Offer(word, sort, help) for word in words)
 
 
 def units_offered(dimension: Dimension | None) -> Iterator[Offer]:
@@ -47,8 +47,8 @@ def units_offered(dimension: Dimension | None) -> Iterator[Offer]:
 
 
 def once(offers: Iterable[Offer]) -> list[Offer]:
-    """The first of each label."""
+    """The first of each word."""
     found: dict[str, Offer] = {}
     for offer in offers:
-        found.setdefault(offer.label, offer)
+        found.setdefault(offer.word, offer)
     return list(found.values())

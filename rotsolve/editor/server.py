@@ -171,13 +171,13 @@ def item_of(offer: Offer, place: types.Range, number: int, stops: bool) -> types
     """An offer in the words of the protocol, with stops of the tab key where the client knows them; offers keep their order."""
     formats = types.InsertTextFormat
     return types.CompletionItem(
-        offer.label,
+        offer.word,
         kind=SORTS[offer.sort],
         documentation=types.MarkupContent(types.MarkupKind.Markdown, offer.help) if offer.help else None,
         sort_text=f"{number:04}",
-        filter_text=offer.label,
+        filter_text=offer.word,
         insert_text_format=formats.Snippet if offer.snippet and stops else formats.PlainText,
-        text_edit=types.TextEdit(place, (offer.insert or offer.label) if stops else offer.plain),
+        text_edit=types.TextEdit(place, (offer.insert or offer.word) if stops else offer.plain),
     )
 
 

@@ -42,7 +42,7 @@ def offered(marked: str) -> list[Offer]:
 
 
 def labels(marked: str) -> set[str]:
-    return {item.label for item in offered(marked)}
+    return {item.word for item in offered(marked)}
 
 
 @pytest.mark.parametrize(
@@ -118,7 +118,7 @@ def test_whole_elements_are_written_as_they_are_read(section: str, kind: str) ->
             read_text(text)
         except SceneError as error:
             kinds = {fault.kind for fault in error.faults}
-            assert kinds <= {"unknown", "kind", "missing", "point", "ambiguous"}, (item.label, str(error))
+            assert kinds <= {"unknown", "kind", "missing", "point", "ambiguous"}, (item.word, str(error))
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=lambda shape: shape.word)
@@ -130,8 +130,8 @@ def test_the_keys_of_a_shape_are_offered(shape: type) -> None:
 def test_what_is_proposed_of_a_body_can_be_asked() -> None:
     scene = BASE.replace("  cord: {string: [rod.end, block]}\n", "")
     for item in offered(scene + "find: {a: rod.|"):
-        asked = f"rod.{item.label}" + ("" if item.label in QUANTITIES else ".velocity")
-        if item.label == "at(x)":
+        asked = f"rod.{item.word}" + ("" if item.word in QUANTITIES else ".velocity")
+        if item.word == "at(x)":
             continue
         try:
             read_text(scene + f"find: {{a: {asked}}}\n")
@@ -144,7 +144,7 @@ def test_what_replaces_what() -> None:
     assert offers_at(SceneText(text), 1, 21)[1] == 3
     assert offers_at(SceneText(BASE + "find: {a: rod.end.vel"), 11, 21)[1] == 3
     assert offers_at(SceneText(BASE + "  l: {at r"), 11, 10)[1] == 4
-    keep = {item.label: item.insert for item in offered("gi|ven: {m: 2 kg}")}
+    keep = {item.word: item.insert for item in offered("gi|ven: {m: 2 kg}")}
     assert keep["given"] == "given", "its colon is there already"
 
 
