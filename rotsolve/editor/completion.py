@@ -14,7 +14,7 @@ from rotsolve.editor.offers import Offer, offers, once, units_offered
 from rotsolve.editor.outline import TextEnd
 from rotsolve.editor.paths import after_number, in_phrase, names_of, owned, path_before, quantities
 from rotsolve.editor.scene_text import SceneText, Steps
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import APPROXIMATIONS, SWINGS
 from rotsolve.language.keys import Key
 from rotsolve.language.problem import COMES_TO

@@ -15,7 +15,7 @@ from rotsolve.core.letters import Given
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.editor.levels import class_at, key_at, shape_written
 from rotsolve.editor.scene_text import ScalarAt, SceneText, Steps
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.words import an
 from rotsolve.scene.elements import TABLES
 from rotsolve.scene.paths import point_names
@@ -83,9 +83,9 @@ def of_word(scene: SceneText, found: ScalarAt, match: re.Match[str]) -> str:
     if UNIT_AFTER.search(text[: match.start()]) and (unit := of_unit(word)):
         return unit
     alone = " ".join(text.split())
-    for shape in SHAPES if found.path[-1:] == ("shape",) or len(found.path) == 2 else ():
-        if shape.word == alone:
-            return element_text(shape, "shape")
+    shape = SHAPES.of(alone) if found.path[-1] == "shape" or found.path[:-1] == ("bodies",) else None
+    if shape is not None:
+        return element_text(shape, "shape")
     cls = class_at(str(found.path[0]), scene.node(found.path)) if len(found.path) == 2 else None
     if cls is not None:
         return element_text(cls, TABLES[str(found.path[0])][0])

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rotsolve.editor.scene_text import SceneText, Steps
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import BODY, DEDUCT, IS, MARKING, PART, PHASE, SECTIONS, STATE, WHICH
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.marks import ALL
@@ -53,16 +53,15 @@ WITHIN_VALUES: dict[str, Mapping[str, Key]] = {  # the keys that a value of a ki
 def shape_written(node: Node | None) -> type[Shape] | None:
     """The shape that a body or part names."""
     written = node.get("shape") if isinstance(node, Map) else None
-    return next((shape for shape in SHAPES if isinstance(written, Text) and written.value.strip() == shape.word), None)
+    return SHAPES.of(written.value.strip()) if isinstance(written, Text) else None
 
 
 def class_at(section: str, node: Node | None) -> Any:
     """The class of an element by the word of its table that it holds; None where it holds none yet."""
     if section not in TABLES:
         return None
-    written = [key.value for key, _ in node.entries] if isinstance(node, Map) else []
-    alone = node.value.strip() if isinstance(node, Text) else ""
-    return next((cls for cls in TABLES[section][1] if cls.word in written or cls.word == alone), None)
+    entries = [key for key, _ in node.entries] if isinstance(node, Map) else [node] if isinstance(node, Text) else []
+    return next((cls for entry in entries if (cls := TABLES[section][1].of(entry.value.strip()))), None)
 
 
 def keys_at(scene: SceneText, path: Steps) -> Mapping[str, Key]:

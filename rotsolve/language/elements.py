@@ -153,7 +153,6 @@ class LetterMaker(Protocol):
 class ActingElement(Element, frozen=True):
     """Base of all that acts on bodies. `quantities` can be asked of it."""
 
-    word: ClassVar[str] = ""
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
@@ -201,23 +200,14 @@ class ActingElement(Element, frozen=True):
 
 
 ALL_THE_TIME = "what acts does so in all states: begin another scene where it begins or ends, with how all moves then"
+SPAN_OF_ACTION: dict[str, Any] = {"refers": ("state",), "plane": True, "instead": ALL_THE_TIME}
 
 
 class Action(ActingElement, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
-    from_: str | None = key(
-        "name", "the state at which it begins", refers=("state",), plane=True, instead=ALL_THE_TIME, example="start"
-    )
-    to: str | None = key(
-        "name",
-        "the state at which it ends",
-        default=None,
-        refers=("state",),
-        plane=True,
-        instead=ALL_THE_TIME,
-        example="end",
-    )
+    from_: str | None = key("name", "the state at which it begins", example="start", **SPAN_OF_ACTION)
+    to: str | None = key("name", "the state at which it ends", example="end", **SPAN_OF_ACTION)
 
     def touches(self) -> tuple[PointRef, ...]:
         """The point on which it acts."""
@@ -459,7 +449,6 @@ class Connection(ActingElement, frozen=True):
 class Event(Element, frozen=True):
     """Base of all events: the state before and the state after. `bodily` marks one that is about bodies alone."""
 
-    word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
     quantities_in_space: ClassVar[tuple[str, ...]] = ()

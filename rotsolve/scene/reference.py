@@ -8,7 +8,7 @@ from typing import Any
 from rotsolve.algebra.units.dimension import describe
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
 from rotsolve.core.quantity import QUANTITIES, QuantityKind
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import BODY, CLAUSES, DEDUCT, MARKING, MODIFIERS, PART, PHASE, SECTIONS, STATE
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.words import hint, quoted

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import BODY, DEDUCT, IS, MARKING, PART, PHASE, SECTIONS, STATE, WHICH
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.scene.bodies import keys_allowed
@@ -123,7 +123,7 @@ def section_schema(name: str, key: Key) -> dict[str, Any]:
         return named_map(one_of_elements(name))
     special: dict[str, dict[str, Any]] = {
         "given": named_map(SCALAR),
-        "bodies": named_map({"anyOf": [{"enum": [shape.word for shape in SHAPES]}, reference_to("body")]}),
+        "bodies": named_map({"anyOf": [{"enum": list(SHAPES.words)}, reference_to("body")]}),
         "states": named_map({"anyOf": [{"const": "at rest"}, {**map_schema(STATE), "additionalProperties": True}]}),
         "phases": named_map(map_schema(PHASE)),
         "find": {**named_map({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
@@ -180,7 +180,7 @@ def one_of_shapes(role: str) -> dict[str, Any]:
     """A body or part: by its shape one definition, without one that of all bodies."""
     return {
         "type": "object",
-        "properties": {"shape": {"enum": [shape.word for shape in SHAPES]}},
+        "properties": {"shape": {"enum": list(SHAPES.words)}},
         "allOf": [
             *(
                 {
@@ -244,7 +244,7 @@ def value_schema(key: Key) -> dict[str, Any]:
         "true": {"enum": [True, "true"]},
         "flag": {"enum": [True, False, "true", "false", "yes", "no"]},
         "choice": {"enum": list(key.choices)},
-        "shape": {"enum": [shape.word for shape in SHAPES]},
+        "shape": {"enum": list(SHAPES.words)},
         "name": {"type": "string"},
         "names": WORDS,
         "region": named_map(LIMITS),

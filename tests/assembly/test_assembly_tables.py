@@ -6,9 +6,7 @@ from rotsolve.confirm.blow import HITS
 from rotsolve.confirm.constraints import ROWS
 from rotsolve.confirm.couplings import COUPLINGS
 from rotsolve.confirm.forces import FORCES
-from rotsolve.elements.actions import ACTIONS
-from rotsolve.elements.connections import CONNECTIONS
-from rotsolve.elements.events import EVENTS
+from rotsolve.elements.tables import ACTIONS, CONNECTIONS, EVENTS
 
 REFUSED = {"unrolls"}  # a roll of which less and less is left
 

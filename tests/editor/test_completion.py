@@ -12,7 +12,7 @@ from rotsolve.core.quantity import QUANTITIES
 from rotsolve.editor.completion import offers_at
 from rotsolve.editor.offers import Offer
 from rotsolve.editor.scene_text import SceneText
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import SECTIONS
 from rotsolve.language.keys import keys_of
 from rotsolve.scene.elements import TABLES

@@ -14,7 +14,7 @@ import pytest
 import yaml
 
 from rotsolve.core.faults import SceneError
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import SECTIONS
 from rotsolve.language.keys import keys_of
 from rotsolve.scene.elements import TABLES

@@ -17,7 +17,6 @@ from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.symbols import TIME
-from rotsolve.elements.at_once import event_between
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.elements import Event
@@ -279,6 +278,10 @@ class Course:
         return blow.after
 
     def event(self, first: str, last: str) -> Event | None:
+        if not self.problem.events:
+            return None
+        from rotsolve.elements.at_once import event_between
+
         return event_between(self.problem.events, first, last)
 
     def ends(self, name: str) -> tuple[str, str]:
