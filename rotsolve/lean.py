@@ -82,9 +82,9 @@ class Near(SourceFileLoader):
         marks = (int(self.source.st_mtime), self.source.st_size)
         known = self.together.get(self.path)
         code = known[1] if known is not None and known[0] == marks else self.read_code(bytecode_head(marks))
-        if code is None:
-            return super().get_code(fullname)
-        self.loaded[self.path] = marks, code
+        code = super().get_code(fullname) if code is None else code
+        if code is not None:
+            self.loaded[self.path] = marks, code
         return code
 
     def read_code(self, head: bytes) -> CodeType | None:
