@@ -24,6 +24,8 @@ from rotsolve.editor.offers import Offer
 from rotsolve.editor.places import OutlineEntry, declared_at, symbols
 from rotsolve.editor.scene_text import SceneText
 from rotsolve.editor.trial import BackgroundTrial
+from rotsolve.elements.tables import SHAPES
+from rotsolve.scene.elements import TABLES
 
 PAUSE = 0.2  # seconds without a key before what is written is read
 SORTS = {  # of offers, as the protocol has them
@@ -53,7 +55,7 @@ class SceneServer(LanguageServer):
         super().__init__("rotsolve", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full)
         self.texts: dict[str, SceneText] = {}
         self.waiting: dict[str, asyncio.TimerHandle] = {}
-        self.trials = BackgroundTrial()
+        self.trial = BackgroundTrial()
         register(self)
 
     @property
@@ -102,7 +104,7 @@ class SceneServer(LanguageServer):
         self.publish(uri, scene.faults)
         if solve and scene.is_scene and not scene.faults:
             loop = asyncio.get_running_loop()
-            self.trials.begin(
+            self.trial.begin(
                 scene.whole, lambda found: loop.call_soon_threadsafe(self.show_trial, uri, scene.whole, found)
             )
 
@@ -114,7 +116,7 @@ class SceneServer(LanguageServer):
     def check_soon(self, uri: str) -> None:
         """Read a text when nothing has been written for a moment."""
         self.forget_pause(uri)
-        self.trials.stop_running()
+        self.trial.stop()
         self.waiting[uri] = asyncio.get_running_loop().call_later(PAUSE, partial(self.check, uri))
 
     def forget_pause(self, uri: str) -> None:
@@ -124,6 +126,7 @@ class SceneServer(LanguageServer):
 
 def register(server: SceneServer) -> None:
     """The features of the server."""
+    server.feature(types.INITIALIZED)(on_start)
     server.feature(types.TEXT_DOCUMENT_DID_OPEN)(on_open)
     server.feature(types.TEXT_DOCUMENT_DID_CHANGE)(on_change)
     server.feature(types.TEXT_DOCUMENT_DID_SAVE)(on_save)
@@ -135,6 +138,12 @@ def register(server: SceneServer) -> None:
     server.feature(types.TEXT_DOCUMENT_CODE_ACTION, kinds)(code_actions)
     server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)(document_symbols)
     server.feature(types.TEXT_DOCUMENT_DEFINITION)(definition_of)
+
+
+def on_start(server: SceneServer, params: types.InitializedParams) -> None:
+    """Load all shapes and elements, so that the first completion need not wait for them."""
+    for table in (SHAPES, *(table for _, table in TABLES.values())):
+        list(table)
 
 
 def on_open(server: SceneServer, params: types.DidOpenTextDocumentParams) -> None:
@@ -239,4 +248,4 @@ def serve() -> None:
         try:
             server.start_io(reader, writer)
         finally:
-            server.trials.end()
+            server.trial.end()

@@ -7,7 +7,7 @@ process.
 from __future__ import annotations
 
 from collections.abc import Callable
-from concurrent.futures import Future
+from concurrent.futures import Future, ThreadPoolExecutor
 
 from pebble import ProcessFuture, ProcessPool
 
@@ -35,15 +35,22 @@ def objections(text: str) -> tuple[Fault, ...]:
 
 
 class BackgroundTrial:
-    """One trial at a time: a new one takes the place of the one that runs."""
+    """One trial at a time: a new one takes the place of the one that runs.
+
+    All is done by a thread of its own, since a process takes its time to start, and the server answers meanwhile.
+    """
 
     def __init__(self) -> None:
+        self.thread = ThreadPoolExecutor(1)
         self.pool: ProcessPool | None = None
         self.running: ProcessFuture[tuple[Fault, ...]] | None = None
 
     def begin(self, text: str, then: Callable[[tuple[Fault, ...]], object]) -> None:
         """Try a text; `then` is called from another thread, unless the trial fails, takes too long or another one begins."""
-        self.stop_running()
+        self.thread.submit(self.run, text, then)
+
+    def run(self, text: str, then: Callable[[tuple[Fault, ...]], object]) -> None:
+        self.break_off()
         if self.pool is None:
             self.pool = ProcessPool(1, initializer=prepare_process, context=process_context())
 
@@ -55,12 +62,17 @@ class BackgroundTrial:
             self.running = self.pool.schedule(objections, (text,), timeout=SECONDS)
         self.running.add_done_callback(done)
 
-    def stop_running(self) -> None:
+    def stop(self) -> None:
+        """Break off the trial that runs, if one does."""
+        self.thread.submit(self.break_off)
+
+    def break_off(self) -> None:
         if self.running is not None and not self.running.done():
             self.running.cancel()  # type: ignore[no-untyped-call]
 
     def end(self) -> None:
         """End the process, with what it is at."""
+        self.thread.shutdown(cancel_futures=True)
         if self.pool is not None:
             self.pool.stop()  # type: ignore[no-untyped-call]
             self.pool.join()
