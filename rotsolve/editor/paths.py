@@ -26,7 +26,6 @@ from rotsolve.scene.scope import Scope
 
 WRITTEN_PATH = re.compile(r"(?P<path>[^\W\d]\w*(?:\.\w+(?:\([^()]*\))?)*)\.\w*$")
 NUMBER_BEFORE = re.compile(r"(?:^|[\s(=<>+*/-])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(?:[^\W\d_]*)$")
-LAST_WORDS = re.compile(r"(?P<before>[^\W\d]\w*)?(?:\s+)?(?:[^\W\d]\w*)?$")
 SPOKEN_OF = ("about", "along", "by", "relative")
 
 
