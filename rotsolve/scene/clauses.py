@@ -13,7 +13,7 @@ from rotsolve.algebra.units.quantities import UnitError, parse_unit
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.language.grammar import CLAUSES, NAMED_AXES, SAID_OF
 from rotsolve.language.problem import ANY_TIME, Condition, Path, PointRef, Term
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, did_you_mean, hint, quoted
 from rotsolve.scene.in_space import WORDS, in_space_only, read_way
 from rotsolve.scene.literals import Lexeme, Want
 from rotsolve.scene.paths import read_path, read_point
@@ -158,9 +158,9 @@ class Clauses:
         try:
             self.unit = parse_unit(part.value)
         except UnitError as error:
-            meant = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
-            help = meant or "`in` is for units; `during` for phases and events"
-            self.scope.fault(part, error.message, help, "unit")
+            help = did_you_mean(error.suggestion, "`in` is for units; `during` for phases and events")
+            place = part.part(error.start, error.end) if error.suggestion else part
+            self.scope.fault(place, error.message, help, "unit")
         return self.unit
 
     def check(self, terms: Sequence[Term], modifier: str = "") -> None:

@@ -32,7 +32,7 @@ from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quanti
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
-from rotsolve.language.words import an, quoted
+from rotsolve.language.words import an, did_you_mean, quoted
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import Nothing, Scope
 from rotsolve.scene.tree import Node, Text
@@ -238,9 +238,9 @@ def parsed_quantity(text: str) -> UnitValue | None:
 def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> Nothing:
     """The complaint of the unit parser at its place."""
     shift += len(node.value) - len(node.value.lstrip())
-    help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
-    help = help or (
-        "write a number and a unit, such as `3 kg m^2`" if re.search("(unit [^:]*|begins .*)$", error.message) else ""
+    help = did_you_mean(
+        error.suggestion,
+        "write a number and a unit, such as `3 kg m^2`" if re.search("(unit [^:]*|begins .*)$", error.message) else "",
     )
     place = node.part(shift + error.start, shift + max(error.end, error.start + 1))
     return scope.fault(place, error.message, help, "unit")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable
-from typing import Never
+from typing import Any, Never
 
 from rotsolve.algebra.formula import FUNCTIONS, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
@@ -66,7 +66,7 @@ class Scope:
         self.made: dict[str, Formula] = {}  # of givens that are made of letters without a number, in these
         self.bodies: dict[str, Body] = {}
         self.points: dict[str, tuple[str, ...]] = {}
-        self.elements: dict[str, type] = {}  # connections, actions and events by name
+        self.elements: dict[str, Any] = {}  # connections, actions and events by name
         self.touched: dict[str, tuple[str, ...]] = {}  # connection -> what it touches
         self.choices: set[str] = set()  # questions whose answer is a label
         self.of_no_kind: frozenset[str] = (

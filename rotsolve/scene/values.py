@@ -25,7 +25,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.keys import HIGHEST
 from rotsolve.language.problem import TimeValue
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, did_you_mean, hint, quoted
 from rotsolve.scene.literals import (
     COMMA,
     EXPRESSION,
@@ -163,13 +163,13 @@ def formula_fault(
     span = node.part(error.start, max(error.end, error.start + 1))
     wrong = text[error.start : error.end]
     if not re.fullmatch(NAME, wrong) or wrong in names or wrong in stand_ins:
-        help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
-        scope.fault(span, f"{quoted(node.value)} is no formula: {error.message}", help, "formula")
+        message = f"{quoted(node.value)} is no formula: {error.message}"
+        scope.fault(span, message, did_you_mean(error.suggestion), "formula")
         return
     kind = scope.kinds.get(wrong)
     letters = [name for name in names if not name.startswith("Zq")]
     if wrong == "time":
-        help = "only actions and driven hinges vary"
+        help: str = "only actions and driven hinges vary"
         scope.fault(span, "`time` can't stand here: this value is constant", help, "formula")
     elif kind and kind != "given":
         help = hint("", letters, "givens")
