@@ -15,7 +15,9 @@ Problem = Annotated[
 ]
 Answers = Annotated[
     str | None,
-    typer.Argument(metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv; - is standard input."),
+    typer.Argument(
+        metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv or .parquet; - is standard input."
+    ),
 ]
 Typed = Annotated[
     list[str] | None,
@@ -23,7 +25,12 @@ Typed = Annotated[
 ]
 Report = Annotated[
     str | None,
-    typer.Option("--output", "-o", metavar="PATH", help="The folder of a class's report, or one page's file."),
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="PATH",
+        help="The folder of a class's report, its marks' .csv or .parquet, or one page's file.",
+    ),
 ]
 Pages = Annotated[
     str | None,
@@ -38,6 +45,10 @@ Pages = Annotated[
 Number = Annotated[
     int | None, typer.Option("--variant", metavar="K", min=1, help="The variant of papers that name none.")
 ]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="ADDRESS", help="Have a class marked by the workers of a dask scheduler, tcp://HOST:8786."),
+]
 Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, help="How many variants there are.")]
 
 
@@ -50,6 +61,7 @@ def check_command(
     variant: Number = None,
     variants: Count = None,
     seed: Seed = 1,
+    cluster: Scheduler = None,
     width: Width = None,
 ) -> None:
     """Mark the answers of a student or of a class.
@@ -59,6 +71,7 @@ def check_command(
       rotsolve check problems/pulleys/block-on-disc.yaml --answer "a = 2mg/(2m+M)"
       rotsolve check problems/pulleys/block-on-disc.yaml ada.txt --variant 7
       rotsolve check problems/pulleys/block-on-disc.yaml class.csv -o report
+      rotsolve check problems/pulleys/block-on-disc.yaml papers.parquet -o marks.csv --cluster tcp://10.0.0.1:8786
 
     \b
     Exit codes:
@@ -70,8 +83,10 @@ def check_command(
 
     if (answers is None) == (not typed):
         raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
-    chosen = (output, format, variant, variants, seed, width or page_width(output))
+    chosen = (output, format, variant, variants, seed, width or page_width(output), cluster)
     request = CheckRequest(problem, answers or "", tuple(typed or ()), *chosen)
+    if cluster is not None and not request.of_class:
+        raise typer.BadParameter("a cluster marks a class's table, .csv or .parquet", param_hint="'--cluster'")
     if FORMATS[request.shown_as].binary:
         ready_for_bytes(request.shown_as, output)
     with orderly():

@@ -72,6 +72,12 @@ class Marked(Struct, frozen=True):
     marks: Fraction
     of: Fraction
 
+    @property
+    def all_right(self) -> bool:
+        """Whether every answer is right, and no line of working wrong."""
+        answers = all(part.verdict.outcome == RIGHT for part in self.parts)
+        return answers and not any(line.verdict.outcome == WRONG for line in self.lines)
+
 
 class Finding(Struct, frozen=True):
     """The outcome for one reading. A wrong one with flaws is right but for them, and keeps the marks that they leave."""

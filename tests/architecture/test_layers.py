@@ -55,7 +55,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("__main__",),
 )
 LATE: set[tuple[str, str]] = set()  # imports upwards that are allowed within functions, each one a debt
-HEAVY = {"sympy", "numpy", "scipy", "mpmath", "pint", "matplotlib", "pandas", "dask"}
+HEAVY = {"sympy", "numpy", "scipy", "mpmath", "pint", "matplotlib", "pandas", "dask", "distributed", "pyarrow"}
 RUNS_TEXT = {"eval", "exec", "parse_expr", "sympify", "__import__", "compile"}
 FUNCTION_LINES, FILE_LINES, FOLDER_FILES = 40, 300, 12
 

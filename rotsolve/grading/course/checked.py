@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.grading.course.command import SEED, all_right
+from rotsolve.grading.course.command import SEED
 from rotsolve.grading.course.examiner import Judges, variant_of
 from rotsolve.grading.course.report.student import StudentPage, Task
 from rotsolve.grading.course.sheet import content_of, from_answers, from_yaml, meant_answer, read_sheet
@@ -125,7 +125,7 @@ class CheckedPaper(Struct, frozen=True):
     @property
     def right(self) -> bool:
         """Whether every answer is right, and no line of working wrong."""
-        return all_right(self.marked)
+        return self.marked.all_right
 
     @property
     def marks(self) -> float:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.core.faults import Fault, SceneError
+from rotsolve.core.faults import Fault, RotsolveError, SceneError
 from rotsolve.grading.course.examiner import Judges, NotMarked, variant_of
 from rotsolve.grading.course.report.student import StudentPage
 from rotsolve.grading.course.sheet import HandedInError, content_of, from_answers, read_sheet
-from rotsolve.grading.verdict import RIGHT, WRONG, Marked
+from rotsolve.grading.verdict import Marked
 from rotsolve.page.blocks import Page
 from rotsolve.page.formats import TERMINAL, format_named, format_of_file
 from rotsolve.page.text import PRINTER, plain_text
@@ -19,7 +20,7 @@ from rotsolve.run import coloured
 from rotsolve.run.attempt import PIPED, failure_outcome, name_of, piped, scene_source
 
 ALL_RIGHT, NOT_ALL_RIGHT, BAD = 0, 1, 2
-TABLES = (".csv", ".tsv", ".tab")
+TABLES = (".csv", ".tsv", ".tab", ".parquet")
 SEED = 1
 
 
@@ -35,11 +36,18 @@ class CheckRequest(Struct, frozen=True):
     variants: int | None = None
     seed: int = SEED
     width: int = 120
+    cluster: str | None = None  # the address of a scheduler, whose workers mark
 
     @property
     def of_class(self) -> bool:
         """Whether the answers are a table."""
         return self.answers.lower().endswith(TABLES)
+
+    @property
+    def marks_alone(self) -> bool:
+        """Whether a class is marked into a table of marks; else into a folder, or its summary is shown."""
+        named_so = self.output is not None and self.output.lower().endswith(TABLES)
+        return self.of_class and named_so and not os.path.isdir(self.output or "")
 
     @property
     def shown_as(self) -> str:
@@ -62,6 +70,10 @@ def run_check(request: CheckRequest) -> int:
             said = plain_text(found.words)
             return refuse_check(f"error: the answers of {name_of(request.problem)} do not hold: {said}")
     try:
+        if request.marks_alone:
+            from rotsolve.grading.course.stream.run import mark_stream
+
+            return mark_stream(request, judges)
         if request.of_class:
             from rotsolve.grading.course.many import check_class
 
@@ -69,6 +81,8 @@ def run_check(request: CheckRequest) -> int:
         return check_one(request, judges)
     except SceneError as error:
         return refuse_check(error.render())
+    except RotsolveError as error:
+        return refuse_check(f"error: {error}")
     except OSError as error:
         return refuse_check(f"error: cannot write {request.output or name_of('')}: {error.strerror or error}")
 
@@ -96,19 +110,13 @@ def check_one(request: CheckRequest, judges: Judges) -> int:
     elif judges.problem.vary is not None and not paper.variant:
         print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
     failed = show_page(StudentPage(judges.task, marked, paper.variant), request, request.output)
-    return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)
+    return failed or (ALL_RIGHT if marked.all_right else NOT_ALL_RIGHT)
 
 
 def answered(marked: Marked) -> Marked:
     """The paper without what was not answered."""
     parts = tuple(part for part in marked.parts if part.text)
     return replace(marked, parts=parts, marks=sum(part.marks for part in parts), of=sum(part.of for part in parts))
-
-
-def all_right(marked: Marked) -> bool:
-    """Whether every answer is right, and no line of working wrong."""
-    answers = all(part.verdict.outcome == RIGHT for part in marked.parts)
-    return answers and not any(line.verdict.outcome == WRONG for line in marked.lines)
 
 
 def show_page(page: Page, request: CheckRequest, output: str | None) -> int:

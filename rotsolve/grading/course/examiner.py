@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
+from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from msgspec.structs import replace
@@ -38,7 +39,7 @@ class NotMarked(RotsolveError, ValueError):
 def mark_papers(papers: Sequence[Paper | None], judge: Callable[[int], Judge]) -> Iterator[tuple[int, Marked | str]]:
     """The place of each paper with its marks, or why it has none; variant by variant, so that one judge is held at a time.
 
-    `judge` is asked for the numbers of the variants in rising order, 0 for the scene as it stands.
+    `judge` is asked for the numbers of the variants, 0 for the scene as it stands.
     """
     groups: dict[int, list[tuple[int, Paper]]] = {}
     for place, paper in enumerate(papers):
@@ -87,6 +88,8 @@ class Judges:
         self.solution = solve_problem(self.problem).complete()
         self._wrong: WrongAnswers | None = None
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
+        self._found: list[Worked] = []  # the variants up to the highest that was asked for
+        self._unusable = "there are no variants that can be used"
 
     @property
     def task(self) -> Task:
@@ -101,7 +104,7 @@ class Judges:
         return Task(self.problem.title, letters, {name: whole for name, whole in parts.items() if name not in letters})
 
     def judge(self, number: int) -> Judge:
-        """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
+        """The judge of a variant, 0 for the scene as it stands; in any order."""
         if number == 0:
             return marker_of(self.solution)
         if self.problem.vary is None:
@@ -113,12 +116,12 @@ class Judges:
 
             self._worked = worked_variants(self.problem, self.count or HIGHEST, self.seed)
         try:
-            worked = next((worked for variant, worked in self._worked if variant.number == number), None)
+            self._found += (worked for _, worked in islice(self._worked, max(0, number - len(self._found))))
         except Unsolvable as error:
-            raise NotMarked(error.fault.message) from None
-        if worked is None:
-            raise NotMarked("there are no variants that can be used")
-        solution = self.varied(worked)
+            self._unusable = error.fault.message
+        if number > len(self._found):
+            raise NotMarked(self._unusable)
+        solution = self.varied(self._found[number - 1])
         return marker_of(solution, self.wrong_for(solution) if self.alike(solution) else None)
 
     @cached_property

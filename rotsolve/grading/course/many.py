@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from msgspec.structs import replace
-
-from rotsolve.grading.course.command import ALL_RIGHT, BAD, NOT_ALL_RIGHT, CheckRequest, all_right, show_page
+from rotsolve.grading.course.command import ALL_RIGHT, NOT_ALL_RIGHT, CheckRequest, refuse_check, show_page
 from rotsolve.grading.course.examiner import Judges, mark_papers
 from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
-from rotsolve.grading.course.report.summary import (
-    MarkedClass,
-    Result,
-    SummaryPage,
-    doubtful_variants,
-    overview,
-    without_column,
-)
-from rotsolve.grading.course.sheet import content_of
-from rotsolve.grading.course.table import Entry, read_table
-from rotsolve.grading.verdict import Marked, Paper
+from rotsolve.grading.course.report.student import Task
+from rotsolve.grading.course.report.summary import MarkedClass, SummaryPage, result_of_row, without_column
+from rotsolve.grading.course.report.tally import Tally, doubtful_variants, overview
+from rotsolve.grading.course.sheet import Parts, content_of
+from rotsolve.grading.course.stream.cluster import Cluster
+from rotsolve.grading.course.stream.marker import BATCH, assignment_of, numbered_batches, papers_of_worker
+from rotsolve.grading.course.stream.papers import is_parquet, open_papers
+from rotsolve.grading.course.table import Columns, Entry, Handed, gathered_class, read_table, varied_entry
+from rotsolve.grading.verdict import Marked
 from rotsolve.page.formats import FORMATS, PAGES, format_named
 from rotsolve.page.text import plain_text
 from rotsolve.run import advancing, same_file
@@ -32,12 +28,11 @@ def check_class(request: CheckRequest, judges: Judges) -> int:
     """Mark a class; the exit code says whether all of it is right."""
     fault = report_objection(request)
     if fault:
-        print(f"error: {fault}", file=sys.stderr)
-        return BAD
+        return refuse_check(f"error: {fault}")
     course = marked_course(request, judges)
     failed = report_class(course, request) if request.output else show_page(SummaryPage(course), request, None)
-    right = all(result.marked is not None and all_right(result.marked) for result in course.results)
-    return failed or (ALL_RIGHT if right else NOT_ALL_RIGHT)
+    tally = course.tally
+    return failed or (ALL_RIGHT if tally.faultless == tally.papers else NOT_ALL_RIGHT)
 
 
 def report_objection(request: CheckRequest) -> str:
@@ -58,26 +53,36 @@ def report_objection(request: CheckRequest) -> str:
 def marked_course(request: CheckRequest, judges: Judges) -> MarkedClass:
     """All rows of the table, marked."""
     task = judges.task
-    handed = read_table(content_of(request.answers), request.answers, tuple(task.letters), task.parts)
-    papers = [entry.paper for entry in handed.entries]
-    if request.variant is not None:
-        own = str(request.variant)
-        papers = [replace(paper, variant=own) if paper and not paper.variant else paper for paper in papers]
-    found: list[Marked | str] = ["" for _ in papers]
+    handed = handed_in(request.answers, tuple(task.letters), task.parts)
+    entries = [varied_entry(entry, request.variant) for entry in handed.entries]
+    found: list[Marked | str] = ["" for _ in entries]
     with advancing("marking") as tell:
-        for done, (place, marked) in enumerate(mark_papers(papers, judges.judge), 1):
+        for done, (place, marked) in enumerate(marked_in_turn(entries, judges, request.cluster), 1):
             found[place] = marked
-            tell(done / len(papers))
-    results = tuple(map(result_of_row, handed.entries, papers, found))
+            tell(done / len(entries))
+    results = tuple(map(result_of_row, entries, found))
     seed = judges.seed if judges.problem.vary is not None else None
     return MarkedClass(task, handed.columns, results, handed.byte_order_mark, seed)
 
 
-def result_of_row(entry: Entry, paper: Paper | None, marked: Marked | str) -> Result:
-    """A row with its marks, or with the reason why it has none."""
-    if isinstance(marked, Marked):
-        return Result(replace(entry, paper=paper), marked)
-    return Result(replace(entry, paper=paper, remarks=(*entry.remarks, *((marked,) if marked else ()))), None)
+def handed_in(file: str, asked: tuple[str, ...], parts: Parts) -> Handed:
+    """The class in a file."""
+    if not is_parquet(file):
+        return read_table(content_of(file), file, asked, parts)
+    papers = open_papers(file, asked, parts)
+    return gathered_class(papers.columns, papers.entries, file)
+
+
+def marked_in_turn(entries: Sequence[Entry], judges: Judges, cluster: str | None) -> Iterator[tuple[int, Marked | str]]:
+    """The place of each paper with its marks, or why it has none, as they come: by the judges here, or by a cluster."""
+    papers = [entry.paper for entry in entries]
+    if cluster is None:
+        yield from mark_papers(papers, judges.judge)
+        return
+    with Cluster(cluster) as workers:
+        batches = numbered_batches(papers)
+        for number, marks in workers.each(papers_of_worker, assignment_of(judges), batches):
+            yield from enumerate(marks, number * BATCH)
 
 
 def report_class(course: MarkedClass, request: CheckRequest) -> int:
@@ -86,7 +91,12 @@ def report_class(course: MarkedClass, request: CheckRequest) -> int:
     with advancing("writing") as tell:
         failed = write_report(course, folder, pages, tell)
     if not failed:
-        for paragraph in (*overview(course), *without_column(course), *doubtful_variants(course)):
-            print(plain_text(paragraph.words))
+        print_figures(course.task, course.columns, course.tally, course.seed)
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")
     return failed
+
+
+def print_figures(task: Task, columns: Columns, tally: Tally, seed: int | None) -> None:
+    """What a summary begins with."""
+    for paragraph in (*overview(tally, seed), *without_column(task, columns), *doubtful_variants(tally, seed)):
+        print(plain_text(paragraph.words))

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator, Sequence
-from itertools import islice
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, islice
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -84,7 +85,11 @@ def read_columns(header: Sequence[str], line: int, file: str, asked: Sequence[st
 
 def columns_by(header: Sequence[str], separator: str, asked: Sequence[str]) -> Columns:
     """The columns, if that is the separator."""
-    row = first_row_cells(header, separator)
+    return columns_called(first_row_cells(header, separator), separator, asked)
+
+
+def columns_called(row: Sequence[str], separator: str, asked: Sequence[str]) -> Columns:
+    """The columns by their names."""
     cells = trimmed_cells(row)
     answers: dict[str, int] = {}
     units: dict[str, str] = {}
@@ -162,6 +167,13 @@ class Entry(Struct, frozen=True):
     remarks: tuple[str, ...] = ()
 
 
+def varied_entry(entry: Entry, variant: int | None) -> Entry:
+    """The entry with a variant where its paper names none."""
+    if variant is None or entry.paper is None or entry.paper.variant:
+        return entry
+    return replace(entry, paper=replace(entry.paper, variant=str(variant)))
+
+
 class Handed(Struct, frozen=True):
     """All rows of a class with the columns that they have, and whether the file began with a byte order mark."""
 
@@ -173,20 +185,43 @@ class Handed(Struct, frozen=True):
 def read_table(text: str, file: str, asked: Sequence[str], parts: Parts = NO_PARTS) -> Handed:
     """The class in a CSV; of a table that is none, what is wrong. A column may hold a component, one of the `parts` of what is asked."""
     plain = text.removeprefix(MARK)
-    lines = plain.split("\n")
-    start = next((number for number, line in enumerate(lines) if line.strip() and not TOLD.match(line)), None)
-    if start is None:
+    return gathered_class(*opened_table(iter(plain.split("\n")), file, asked, parts), file, plain is not text)
+
+
+def gathered_class(found: Columns, entries: Iterable[Entry], file: str, byte_order_mark: bool = False) -> Handed:
+    """All rows of a class at once, with what only shows when all are there."""
+    rows = list(islice(entries, ROWS + 1))
+    if len(rows) > ROWS:
+        help = "split the class, or have the marks alone: -o marks.csv"
+        raise HandedInError([Fault(f"the table has more than {ROWS} rows", None, help)], (), file)
+    return Handed(found, tuple(with_name_remarks(rows)), byte_order_mark)
+
+
+def opened_table(
+    lines: Iterator[str], file: str, asked: Sequence[str], parts: Parts = NO_PARTS
+) -> tuple[Columns, Iterator[Entry]]:
+    """The columns of a CSV, and its rows as they are asked for, of which no more than a few lines are held at a time."""
+    numbered = ((number, line) for number, line in enumerate(lines, 1) if line.strip() and not TOLD.match(line))
+    number, first = next(numbered, (0, ""))
+    if not number:
         raise file_error("the table is empty", "its first line names the columns", file)
-    header = first_row(lines, start)
-    found = read_columns(header, start + 1, file, (*asked, *parts))
-    entries = list(islice(table_entries(lines, start + len(header), found), ROWS + 1))
-    if parts.keys() & found.answers.keys():
-        entries = [with_whole_vectors(entry, asked, parts) for entry in entries]
-    if not entries:
+    ahead = [first, *islice(lines, HEADING - 1)]
+    header = first_row(ahead)
+    found = read_columns(header, number, file, (*asked, *parts))
+    below = chain(ahead[len(header) :], lines)
+    return found, whole_entries(table_entries(below, number + len(header), found), found, file, asked, parts)
+
+
+def whole_entries(
+    entries: Iterator[Entry], found: Columns, file: str, asked: Sequence[str], parts: Parts
+) -> Iterator[Entry]:
+    """The rows, each with the components of a vector as one answer; there has to be one."""
+    split = bool(parts.keys() & found.answers.keys())
+    entry = None
+    for entry in entries:
+        yield with_whole_vectors(entry, asked, parts) if split else entry
+    if entry is None:
         raise file_error("the table has no row below its first line", "", file)
-    if len(entries) > ROWS:
-        raise HandedInError([Fault(f"the table has more than {ROWS} rows", None, "split the class")], (), file)
-    return Handed(found, tuple(with_name_remarks(entries)), plain is not text)
 
 
 def with_whole_vectors(entry: Entry, asked: Sequence[str], parts: Parts) -> Entry:
@@ -196,33 +231,34 @@ def with_whole_vectors(entry: Entry, asked: Sequence[str], parts: Parts) -> Entr
     return replace(entry, paper=replace(entry.paper, answers=as_whole_vectors(entry.paper.answers, asked, parts)))
 
 
-def first_row(lines: Sequence[str], start: int) -> Sequence[str]:
+def first_row(lines: Sequence[str]) -> Sequence[str]:
     """The lines of the first row, whose cells may hold line breaks within quotes."""
-    for end in range(start + 1, min(start + HEADING, len(lines)) + 1):
-        if "\n".join(lines[start:end]).count('"') % 2 == 0:
-            return lines[start:end]
-    return lines[start : start + 1]
+    for end in range(1, len(lines) + 1):
+        if "\n".join(lines[:end]).count('"') % 2 == 0:
+            return lines[:end]
+    return lines[:1]
 
 
-def table_entries(lines: Sequence[str], start: int, found: Columns) -> Iterator[Entry]:
-    """Row by row. A row that can't be read ends with its line, so that a quotation mark left open swallows no other."""
-    place = start
-    while place < len(lines):
-        if not lines[place].strip(" ,;\t"):
-            place += 1
-            continue
-        window = (f"{line}\n" for line in lines[place : place + HIGHEST])
-        reader = csv.reader(window, delimiter=found.separator, strict=True)
-        try:
-            cells = next(reader)
-            height = reader.line_num
-        except csv.Error as error:
-            student = lines[place][:40].partition(found.separator)[0].strip('" ')
-            yield Entry(place + 1, student, None, (csv_complaint(error),))
-            height = 1
-        else:
-            yield row_entry(place + 1, cells, found)
-        place += height
+def table_entries(lines: Iterator[str], number: int, found: Columns) -> Iterator[Entry]:
+    """Row by row, from the line of that number on. A row that can't be read ends with its line, so that a quotation mark left open
+    swallows no other."""
+    ahead = deque(islice(lines, HIGHEST))
+    while ahead:
+        height = 1
+        if ahead[0].strip(" ,;\t"):
+            reader = csv.reader((f"{line}\n" for line in ahead), delimiter=found.separator, strict=True)
+            try:
+                cells = next(reader)
+                height = reader.line_num
+            except csv.Error as error:
+                student = ahead[0][:40].partition(found.separator)[0].strip('" ')
+                yield Entry(number, student, None, (csv_complaint(error),))
+            else:
+                yield row_entry(number, cells, found)
+        number += height
+        for _ in range(height):
+            ahead.popleft()
+        ahead.extend(islice(lines, height))
 
 
 def csv_complaint(error: csv.Error) -> str:
@@ -282,8 +318,13 @@ def with_name_remarks(entries: Sequence[Entry]) -> Iterator[Entry]:
     for entry in entries:
         lines.setdefault(entry.student.casefold(), []).append(entry.line)
     for entry in entries:
-        others = [str(line) for line in lines[entry.student.casefold()][: NAMED + 1] if line != entry.line][:NAMED]
-        if others and entry.student:
-            said = f"the same name stands in {'lines' if len(others) > 1 else 'line'} {', '.join(others)}"
-            entry = replace(entry, remarks=(*entry.remarks, said))
-        yield entry
+        yield name_remarked(entry, lines[entry.student.casefold()][: NAMED + 1])
+
+
+def name_remarked(entry: Entry, lines: Iterable[int]) -> Entry:
+    """The entry, which says so where its name stands in other lines too; `lines` are the first that have it, one more than are named."""
+    others = [str(line) for line in lines if line != entry.line][:NAMED]
+    if not others or not entry.student:
+        return entry
+    said = f"the same name stands in {'lines' if len(others) > 1 else 'line'} {', '.join(others)}"
+    return replace(entry, remarks=(*entry.remarks, said))

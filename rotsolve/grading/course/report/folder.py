@@ -68,13 +68,34 @@ def marks_table(course: MarkedClass) -> str:
     separator = course.columns.separator
     writer = csv.writer(text, delimiter=separator, lineterminator="\n")
     names = tuple(course.task.letters)
-    columns = [cell for name in names for cell in (f"{name} verdict", name)]
-    writer.writerow(["line", "student", "variant", *columns, "marks", "of", "remarks"])
-    for result in course.results:
-        numbers, remarks = verdicts_and_marks(result.marked, names), all_remarks(result)
-        row = [str(result.entry.line), one_line(result.entry.student), one_line(result.variant)]
-        writer.writerow([*row, *(cell.replace(".", POINT.get(separator, ".")) for cell in numbers), one_line(remarks)])
+    writer.writerow(marks_columns(names))
+    writer.writerows(spreadsheet_row(marks_row(result, names), separator) for result in course.results)
     return (MARK if course.byte_order_mark else "") + text.getvalue()
+
+
+def marks_columns(names: tuple[str, ...]) -> list[str]:
+    """What the columns of the marks are called, by the names of the answers."""
+    columns = [cell for name in names for cell in (f"{name} verdict", name)]
+    return ["line", "student", "variant", *columns, "marks", "of", "remarks"]
+
+
+def marks_row(result: Result, names: tuple[str, ...]) -> list[str]:
+    """The row of a student: line, name and variant, the answers' verdicts and marks, the sum, and all that is said of them."""
+    told = [str(result.entry.line), result.entry.student, result.variant]
+    return [*told, *verdicts_and_marks(result.marked, names), all_remarks(result)]
+
+
+def spreadsheet_row(row: list[str], separator: str) -> list[str]:
+    """The row as a spreadsheet reads it whose cells are separated so."""
+    line, student, variant, *numbers, remarks = row
+    point = POINT.get(separator, ".")
+    return [
+        line,
+        one_line(student),
+        one_line(variant),
+        *(cell.replace(".", point) for cell in numbers),
+        one_line(remarks),
+    ]
 
 
 def verdicts_and_marks(marked: Marked | None, names: tuple[str, ...]) -> list[str]:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from statistics import mean, median
+from statistics import mean
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import printable
 from rotsolve.grading.course.report.student import Task, marked_data, marks_of, marks_text, printable_words
+from rotsolve.grading.course.report.tally import Tally, doubtful_variants, overview
 from rotsolve.grading.course.table import Columns, Entry
 from rotsolve.grading.verdict import PARTLY, RIGHT, UNDECIDED, WRONG, JudgedPart, Marked
 from rotsolve.page.blocks import Page, PageBlock, Paragraph, Table, Title
@@ -22,8 +24,6 @@ CLASSES = 10  # of the distribution
 BAR = 40  # columns of its longest bar
 COMMONEST = 20
 NO_MISTAKES = ("followed", "comma", "chain", "numbers")  # kinds of remarks that tell of no mistake of their own
-NAMED = 10  # papers that are named in one sentence
-FEW = 3  # papers of which none having a right number may be chance
 
 
 class Result(Struct, frozen=True):
@@ -42,6 +42,21 @@ class Result(Struct, frozen=True):
         return "" if self.entry.paper is None else self.entry.paper.variant
 
 
+def result_of_row(entry: Entry, marked: Marked | str) -> Result:
+    """A row with its marks, or with the reason why it has none."""
+    if isinstance(marked, Marked):
+        return Result(entry, marked)
+    return Result(replace(entry, remarks=(*entry.remarks, *((marked,) if marked else ()))), None)
+
+
+def tally_of(results: Iterable[Result]) -> Tally:
+    """What the head of a summary says of rows."""
+    tally = Tally()
+    for result in results:
+        tally.count(result.name, result.variant, result.marked)
+    return tally
+
+
 class MarkedClass(Struct, frozen=True):
     """A class: the problem, the columns of its table, and its rows; the seed of the variants where the problem has such."""
 
@@ -56,6 +71,11 @@ class MarkedClass(Struct, frozen=True):
         """The papers that could be marked."""
         return [result.marked for result in self.results if result.marked is not None]
 
+    @property
+    def tally(self) -> Tally:
+        """How many papers there are of which kind."""
+        return tally_of(self.results)
+
 
 class SummaryPage(Page, frozen=True):
     """The page of a class; `targets` are the students' pages."""
@@ -66,7 +86,7 @@ class SummaryPage(Page, frozen=True):
     def blocks(self) -> Iterator[PageBlock]:
         course, papers = self.course, self.course.papers
         sections = (
-            ("", overview(course)),
+            ("", overview(course.tally, course.seed)),
             ("Distribution", distribution(papers)),
             ("Answers, by how often they went wrong", answers_by_failures(course)),
             ("Commonest mistakes", commonest_mistakes(course)),
@@ -98,23 +118,6 @@ def printable_block(block: Paragraph | Table) -> PageBlock:
         return Paragraph(printable_words(block.words))
     rows = tuple(tuple(printable_words(cell) for cell in row) for row in block.rows)
     return Table(tuple(map(printable, block.columns)), rows, block.targets)
-
-
-def overview(course: MarkedClass) -> Iterator[Paragraph]:
-    """How many papers there are, and their marks in a sentence."""
-    papers = course.papers
-    total, left = len(course.results), len(course.results) - len(papers)
-    without = f", {left} of them not marked" if left else ""
-    yield Paragraph((f"{total} {'paper' if total == 1 else 'papers'}{without}.",))
-    if papers:
-        marks = [paper.marks for paper in papers]
-        best, most = max(marks), papers[0].of
-        figures = f"mean {marks_text(mean(marks))}, median {marks_text(Fraction(median(marks)))}"
-        full = sum(paper.marks >= paper.of for paper in papers)
-        said = f"Of {marks_text(most)} marks: {figures}, best {marks_text(best)}; {full} with full marks."
-        yield Paragraph((said,))
-    if any(result.variant for result in course.results) and course.seed is not None:
-        yield Paragraph((f"Variants by seed {course.seed}.",))
 
 
 def distribution(papers: list[Marked]) -> Iterator[Table]:
@@ -175,38 +178,21 @@ def commonest_mistakes(course: MarkedClass) -> Iterator[Table | Paragraph]:
 
 def to_be_looked_at(course: MarkedClass) -> Iterator[Paragraph | Table]:
     """Columns without use, answers without a column, rows with something odd, and answers that could not be decided."""
-    yield from without_column(course)
+    yield from without_column(course.task, course.columns)
     if course.columns.unused:
         yield Paragraph((f"Columns that were not used: {', '.join(course.columns.unused)}.",))
-    yield from doubtful_variants(course)
+    yield from doubtful_variants(course.tally, course.seed)
     odd = ((result, words) for result in course.results for words in oddities(course, result))
     rows = [((str(result.entry.line),), (result.name,), words) for result, words in odd]
     if rows:
         yield Table(("line", "student", "what"), tuple(rows))
 
 
-def without_column(course: MarkedClass) -> Iterator[Paragraph]:
+def without_column(task: Task, columns: Columns) -> Iterator[Paragraph]:
     """Answers that no column holds."""
-    absent = [name for name in course.task.letters if name not in course.columns.answers]
+    absent = [name for name in task.letters if name not in columns.answers]
     if absent:
         yield Paragraph((f"No column is named {', '.join(absent)}.",))
-
-
-def doubtful_variants(course: MarkedClass) -> Iterator[Paragraph]:
-    """Papers of a problem with variants that tell none, and a seed that can not be that of the sheets."""
-    if course.seed is None:
-        return
-    marked = [result for result in course.results if result.marked is not None]
-    without = [result.name for result in marked if not result.variant]
-    if without:
-        named = f"{', '.join(without[:NAMED])}{', …' if len(without) > NAMED else ''}"
-        some = len(without) < len(marked)
-        whose = f"Papers that tell no variant: {named}" if some else "No paper tells its variant"
-        yield Paragraph((f"{whose}. They were marked with the numbers of the problem itself.",))
-    papers = [result.marked for result in marked if result.variant and result.marked is not None]
-    numbers = [part for paper in papers for part in paper.parts if any(char.isdigit() for char in part.text)]
-    if len(papers) >= FEW and numbers and not any(part.marks for part in numbers):
-        yield Paragraph((f"No paper with a variant has a right number: is {course.seed} the seed of the sheets?",))
 
 
 def oddities(course: MarkedClass, result: Result) -> Iterator[Words]:
