@@ -8,17 +8,15 @@ from pathlib import Path
 from rotsolve.grading.course.command import ALL_RIGHT, NOT_ALL_RIGHT, CheckRequest, refuse_check, show_page
 from rotsolve.grading.course.examiner import Judges, mark_papers
 from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
-from rotsolve.grading.course.report.student import Task
-from rotsolve.grading.course.report.summary import MarkedClass, SummaryPage, result_of_row, without_column
-from rotsolve.grading.course.report.tally import Tally, doubtful_variants, overview
+from rotsolve.grading.course.report.summary import MarkedClass, SummaryPage, head_of_class, result_of_row
 from rotsolve.grading.course.sheet import Parts, content_of
+from rotsolve.grading.course.stream.assignment import BATCH, numbered_batches
 from rotsolve.grading.course.stream.cluster import Cluster
-from rotsolve.grading.course.stream.marker import BATCH, assignment_of, numbered_batches, papers_of_worker
+from rotsolve.grading.course.stream.marker import assignment_of, papers_of_worker
 from rotsolve.grading.course.stream.papers import is_parquet, open_papers
-from rotsolve.grading.course.table import Columns, Entry, Handed, gathered_class, read_table, varied_entry
+from rotsolve.grading.course.table import Entry, Handed, gathered_class, read_table, varied_entry
 from rotsolve.grading.verdict import Marked
 from rotsolve.page.formats import FORMATS, PAGES, format_named
-from rotsolve.page.text import plain_text
 from rotsolve.run import advancing, same_file
 
 HTML = "html"  # the pages of a report, where nothing else is asked for
@@ -91,12 +89,6 @@ def report_class(course: MarkedClass, request: CheckRequest) -> int:
     with advancing("writing") as tell:
         failed = write_report(course, folder, pages, tell)
     if not failed:
-        print_figures(course.task, course.columns, course.tally, course.seed)
+        print("\n".join(head_of_class(course.task, course.columns, course.tally, course.seed)))
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")
     return failed
-
-
-def print_figures(task: Task, columns: Columns, tally: Tally, seed: int | None) -> None:
-    """What a summary begins with."""
-    for paragraph in (*overview(tally, seed), *without_column(task, columns), *doubtful_variants(tally, seed)):
-        print(plain_text(paragraph.words))

@@ -188,6 +188,12 @@ def to_be_looked_at(course: MarkedClass) -> Iterator[Paragraph | Table]:
         yield Table(("line", "student", "what"), tuple(rows))
 
 
+def head_of_class(task: Task, columns: Columns, tally: Tally, seed: int | None) -> Iterator[str]:
+    """What a summary begins with, a sentence a line."""
+    for paragraph in (*overview(tally, seed), *without_column(task, columns), *doubtful_variants(tally, seed)):
+        yield plain_text(paragraph.words)
+
+
 def without_column(task: Task, columns: Columns) -> Iterator[Paragraph]:
     """Answers that no column holds."""
     absent = [name for name in task.letters if name not in columns.answers]

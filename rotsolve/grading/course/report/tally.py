@@ -72,13 +72,15 @@ def overview(tally: Tally, seed: int | None) -> Iterator[Paragraph]:
     if tally.marked:
         counts = {Fraction(text): count for text, count in tally.marks.items()}
         mean = sum((marks * count for marks, count in counts.items()), Fraction(0)) / tally.marked
-        figures = f"mean {marks_text(mean)}, median {marks_text(middle(counts))}, best {marks_text(max(counts))}"
+        figures = (
+            f"mean {marks_text(mean)}, median {marks_text(median_of_counts(counts))}, best {marks_text(max(counts))}"
+        )
         yield Paragraph((f"Of {marks_text(Fraction(tally.of))} marks: {figures}; {tally.full} with full marks.",))
     if tally.variants and seed is not None:
         yield Paragraph((f"Variants by seed {seed}.",))
 
 
-def middle(counts: dict[Fraction, int]) -> Fraction:
+def median_of_counts(counts: dict[Fraction, int]) -> Fraction:
     """The median of marks of which it is told how many papers have them."""
     total, below = sum(counts.values()), 0
     found = []

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from rotsolve import __version__
 from rotsolve.core.faults import RotsolveError, missing_package
-from rotsolve.grading.course.stream.marker import Assignment, OtherVersion
+from rotsolve.grading.course.stream.assignment import BATCH, Assignment, OtherVersion
 
 Given = TypeVar("Given")
 Done = TypeVar("Done")
@@ -30,7 +30,7 @@ class Cluster:
         self.address = address
         self.distributed = quiet_distributed()
         try:
-            self.client = self.distributed.Client(address, timeout=PATIENCE, set_as_default=False)
+            self.client = self.distributed.Client(address, timeout=PATIENCE)
         except (OSError, TimeoutError) as error:
             raise ClusterError(f"no scheduler answers at {address}: `dask scheduler` starts one") from error
         except (ValueError, TypeError) as error:
@@ -96,7 +96,8 @@ class Cluster:
         try:
             return number, future.result()
         except self.distributed.KilledWorker as error:
-            message = f"{error.allowed_failures + 1} workers died one after the other at batch {number}"
+            some = f"papers {number * BATCH + 1} to {number * BATCH + BATCH}"
+            message = f"{error.allowed_failures + 1} workers died one after the other at {some}"
             raise ClusterError(f"{message}: has each enough memory?") from None
         except OtherVersion as error:
             raise ClusterError(told_version("a worker", str(error))) from None

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import msgspec
 
-from rotsolve.grading.course.stream.marker import Assignment, MarkedRows
+from rotsolve.grading.course.stream.assignment import Assignment, MarkedRows
 from rotsolve.run.delivery import replacing
 
 OF = "of-this-run"  # the file that tells what the batches are of

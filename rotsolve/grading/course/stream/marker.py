@@ -2,61 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
-from itertools import islice
-from typing import TypeVar
-
-from msgspec import Struct
 
 from rotsolve import __version__
 from rotsolve.algebra.certified.alone import ALONE
 from rotsolve.grading.course.examiner import Judges, mark_papers
 from rotsolve.grading.course.report.folder import marks_row
 from rotsolve.grading.course.report.summary import result_of_row, tally_of
-from rotsolve.grading.course.report.tally import Tally
+from rotsolve.grading.course.stream.assignment import Assignment, MarkedRows, OtherVersion
 from rotsolve.grading.course.table import Entry
 from rotsolve.grading.verdict import Marked, Paper
 
-BATCH = 250  # papers that are marked at a time: about a second's work
 JUDGES = 64  # variants whose judges are kept from batch to batch
 FORGETTING = 5000  # papers after which judges are made anew: they remember all that they have judged
-Item = TypeVar("Item")
-
-
-class Assignment(Struct, frozen=True):
-    """What papers are marked by, as it is sent to workers: the problem's text, the variants, and which rotsolve is wanted."""
-
-    problem: str
-    names: tuple[str, ...]  # what is asked
-    seed: int
-    variants: int | None
-    version: str = __version__
-
-
-def assignment_of(judges: Judges) -> Assignment:
-    """The assignment for workers that are to mark as judges here do."""
-    problem = "\n".join(judges.problem.lines) + "\n"
-    return Assignment(problem, tuple(judges.task.letters), judges.seed, judges.count)
-
-
-def numbered_batches(items: Iterable[Item]) -> Iterator[tuple[int, list[Item]]]:
-    """So many at a time, numbered from 0 on."""
-    left, number = iter(items), 0
-    while batch := list(islice(left, BATCH)):
-        yield number, batch
-        number += 1
-
-
-class MarkedRows(Struct):
-    """What is kept of a batch: its rows of the marks, and what they add up to."""
-
-    rows: list[list[str]]
-    tally: Tally
-
-
-class OtherVersion(Exception):
-    """A worker has another rotsolve than was asked for."""
 
 
 class Marker:
@@ -82,6 +41,12 @@ class Marker:
         marks = self.marked([entry.paper for entry in entries])
         results = [result_of_row(*pair) for pair in zip(entries, marks, strict=True)]
         return MarkedRows([marks_row(result, names) for result in results], tally_of(results))
+
+
+def assignment_of(judges: Judges) -> Assignment:
+    """The assignment for workers that are to mark as judges here do."""
+    problem = "\n".join(judges.problem.lines) + "\n"
+    return Assignment(problem, tuple(judges.task.letters), judges.seed, judges.count)
 
 
 @lru_cache(1)  # a worker may be asked for several runs, one after the other

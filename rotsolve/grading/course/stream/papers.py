@@ -103,7 +103,7 @@ def open_parquet(file: str, asked: Sequence[str], parts: Parts) -> PaperFile:
     used = {*found.answers.values(), *(place for place in told if place is not None)}
     for place in used:
         refuse_kind(pyarrow, names[place], table.schema_arrow.types[place], file)
-    rows = (row for batch in table.iter_batches(AT_ONCE) for row in rows_of(batch, used))
+    rows = (row for batch in table.iter_batches(AT_ONCE) for row in cell_rows(batch, used))
     entries = (row_entry(number, row, found) for number, row in enumerate(rows, 1))
     return PaperFile(found, False, whole_entries(entries, found, file, asked, parts))
 
@@ -130,7 +130,7 @@ def refuse_kind(pyarrow: Any, name: str, kind: Any, file: str) -> None:
         raise file_error(f"the column {quoted(name)} holds {kind}", "texts and numbers are read", file)
 
 
-def rows_of(batch: Any, used: Collection[int]) -> Iterator[list[str]]:
+def cell_rows(batch: Any, used: Collection[int]) -> Iterator[list[str]]:
     """The rows of a batch as the cells of a CSV, '' in columns that are not used."""
     nothing = [""] * batch.num_rows
     columns = (
