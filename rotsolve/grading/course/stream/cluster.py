@@ -133,7 +133,7 @@ def quiet_distributed() -> Any:
     try:
         import dask
 
-        dask.config.set({"logging.distributed": "critical"})
+        dask.config.set(logging={"distributed": "critical", "distributed.client": "critical"})
         import distributed
     except ModuleNotFoundError:
         raise missing_package("a cluster takes", "distributed", "cluster") from None

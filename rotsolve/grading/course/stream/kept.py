@@ -24,7 +24,7 @@ class KeptBatches:
     """The folder beside the output; those of another problem, other papers or another choice are removed first."""
 
     def __init__(self, output: str, told: str) -> None:
-        self.folder = Path(f"{output}.parts")
+        self.folder, self.told = Path(f"{output}.parts"), told
         note = self.folder / OF
         if not note.is_file() or note.read_text(encoding="utf-8") != told:
             self.remove()

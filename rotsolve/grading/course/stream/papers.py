@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Collection, Iterator, Sequence
 from decimal import Decimal
 from itertools import chain
@@ -52,7 +53,8 @@ def open_papers(file: str, asked: Sequence[str], parts: Parts) -> PaperFile:
         columns, entries = opened_table(chain([plain], lines), file, asked, parts)
         return PaperFile(columns, first != plain, entries)
     except OSError as error:
-        raise file_error(f"can't read {quoted(file)}: {error.strerror or error}") from None
+        said = os.strerror(error.errno) if error.errno else error
+        raise file_error(f"can't read {quoted(file)}: {said}") from None
 
 
 # CSV

@@ -47,8 +47,9 @@ def marked_into_parts(request: CheckRequest, judges: Judges, cluster: Cluster | 
     """
     assignment, parts = assignment_of(judges), judges.task.parts
     named = NamedLines(open_papers(request.answers, assignment.names, parts).entries)
+    told = (assignment, request.answers, request.variant, BATCH)
+    kept = KeptBatches(request.output or "", told_run(*told))
     papers = open_papers(request.answers, assignment.names, parts)
-    kept = KeptBatches(request.output or "", told_run(assignment, request.answers, request.variant, BATCH))
     total = -(-named.papers // BATCH)
     if kept.numbers:
         print(f"note: {len(kept.numbers)} of {total} batches were marked before", file=sys.stderr)
@@ -66,7 +67,10 @@ def marked_into_parts(request: CheckRequest, judges: Judges, cluster: Cluster | 
         else:
             kept.remove()
         raise
-    if kept.numbers != set(range(total)):
+    finally:
+        named.table.close()
+    if told_run(*told) != kept.told:
+        kept.remove()
         raise file_error("it has changed while it was read", "begin once more", request.answers)
     return papers, kept
 
