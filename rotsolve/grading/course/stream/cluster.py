@@ -97,8 +97,8 @@ class Cluster:
             return number, future.result()
         except self.distributed.KilledWorker as error:
             some = f"papers {number * BATCH + 1} to {number * BATCH + BATCH}"
-            message = f"{error.allowed_failures + 1} workers died one after the other at {some}"
-            raise ClusterError(f"{message}: has each enough memory?") from None
+            died = f"{error.allowed_failures + 1} workers died one after the other that had {some}"
+            raise ClusterError(f"{died}, perhaps by others that they had: has each enough memory?") from None
         except OtherVersion as error:
             raise ClusterError(told_version("a worker", str(error))) from None
         except ModuleNotFoundError as error:
