@@ -1,9 +1,11 @@
-"""What it costs to judge a line of a student, once the scene is solved: reading it in all ways, and the verdict.
+"""What it costs to judge a line of a student, once the scene is solved: reading it in all ways, and the verdict; and papers in a stream.
 
-    python benchmarks/checking.py [--lines N] [--seed S] [--write]
+    python benchmarks/checking.py [--lines N] [--seed S] [--papers N] [--write]
 
 Lines are made from the answers of every fourth bundled problem: rewritten right forms, forms with a slip, lines that can be read in two
-ways, numbers with units; no answer has a line twice. All times are processor times. `--write` puts the table into docs/benchmarks.md.
+ways, numbers with units; no answer has a line twice. All times are processor times. `--papers` is how many are marked
+in a stream, after a tenth as many, by this process and by one and two workers; 0 leaves that out. `--write` puts the tables into
+docs/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from pathlib import Path
 from random import Random
 from statistics import mean
 
+from costs.streams import stream_page
 from costs.tables import share, table
 from report import machine, write_section
 from rotsolve import solve
@@ -169,15 +172,19 @@ def page(lines: int, seed: int) -> str:
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description="What it costs to judge a line.")
-    parser.add_argument("--lines", type=int, default=2000, help="lines of each kind (2000)")
+    parser.add_argument("--lines", type=int, default=2000, help="lines of each kind, 0 for none (2000)")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--write", action="store_true", help="put the table into docs/benchmarks.md")
+    parser.add_argument("--papers", type=int, default=20_000, help="papers in a stream, 0 for none (20000)")
+    parser.add_argument("--write", action="store_true", help="put the tables into docs/benchmarks.md")
     told = parser.parse_args()
     gc.set_threshold(GARBAGE)  # as in the command
-    text = page(told.lines, told.seed)
-    print(text)
-    if told.write:
-        write_section("checking", text)
+    sections = {"checking": page(told.lines, told.seed)} if told.lines else {}
+    if told.papers:
+        sections["papers"] = stream_page(told.papers // 10, told.papers)
+    for name, text in sections.items():
+        print(text, end="\n\n")
+        if told.write:
+            write_section(name, text)
 
 
 if __name__ == "__main__":
