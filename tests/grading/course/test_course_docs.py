@@ -40,7 +40,7 @@ def test_the_commands_of_the_page_print_what_it_shows(
     """`pytest tests/grading/course --regenerate` writes what they print anew."""
     text = PAGE.read_text(encoding="utf-8")
     shown = [(found[1], found[2]) for found in COMMAND.finditer(text)]
-    assert len(shown) == 5 and {path.name for path in folder.iterdir()} == {"winch.yaml", "class.csv", "ada.txt"}
+    assert len(shown) == 6 and {path.name for path in folder.iterdir()} == {"winch.yaml", "class.csv", "ada.txt"}
     for words, expected in shown:
         code, out = printed(words, capsys)
         if regenerate and expected is not None:
