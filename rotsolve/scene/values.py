@@ -25,7 +25,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.keys import HIGHEST
 from rotsolve.language.problem import TimeValue
-from rotsolve.language.words import an, did_you_mean, hint, quoted
+from rotsolve.language.words import Hint, an, did_you_mean, hint, quoted
 from rotsolve.scene.literals import (
     COMMA,
     EXPRESSION,
@@ -180,8 +180,8 @@ def formula_fault(
         scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", help, "formula")
     elif names_unit(wrong):
         other = next((name for name in letters if name.lower() == wrong.lower()), "")
-        help = f"did you mean `{other}`? else {{}}" if other else "{}"
-        help = help.format(f"write `2 {wrong}`, or choose a letter for it")
+        choice = f"write `2 {wrong}`, or choose a letter for it"
+        help = Hint(f"did you mean `{other}`? else {choice}", other) if other else choice
         scope.fault(span, f"`{wrong}` is a unit without a number", help, "unit", cause=f"{UNKNOWN}{wrong}")
     else:
         scope.unknown(span, wrong, "letter", [*letters, *want.words], "givens")
@@ -234,7 +234,7 @@ def told_foreign(scope: Scope, node: Text) -> bool:
     try:
         parse_quantity(node.value)
     except UnitError as error:
-        scope.fault(node, error.message, f"did you mean `{error.suggestion}`?" if error.suggestion else "", "unit")
+        scope.fault(node, error.message, did_you_mean(error.suggestion), "unit")
         return True
     return False
 
