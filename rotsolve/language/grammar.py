@@ -35,6 +35,9 @@ SECTIONS: dict[str, Key] = {
         "the leading term is told beside each answer",
     ),
     "find": Key("map", "what is asked", required=True),
+    "ask": Key(
+        "map", "how a sheet asks for the answers, by the names of `find`: a wording each, in the order of the sheet"
+    ),
     "answers": Key("map", "published answers, by the names of `find`"),
     "marking": Key("map", "how answers are marked, by the names of `find`, or `all`: points alone, or a map"),
     "vary": Key(

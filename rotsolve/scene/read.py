@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from msgspec.structs import replace
 
@@ -32,7 +32,7 @@ from rotsolve.scene.values import read_scalar
 
 if TYPE_CHECKING:
     from rotsolve.language.marks import Marking
-    from rotsolve.language.problem import Variation
+    from rotsolve.language.problem import Variation, Wording
 
 
 def read_source(source: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
@@ -43,7 +43,12 @@ def read_source(source: str | os.PathLike[str], settings: Mapping[str, str] | No
 
 
 def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
-    """The problem in a file; its size is checked before it is read."""
+    """The problem in a file."""
+    return read_text(text_of_file(path), os.fspath(path), settings)
+
+
+def text_of_file(path: str | os.PathLike[str]) -> str:
+    """What a file holds; its size is checked before it is read."""
     name = os.fspath(path)
     try:
         size = os.path.getsize(name)
@@ -59,11 +64,10 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None =
     if b"\0" in content:
         raise unreadable("this is no text file: it holds a NUL byte", "a scene is YAML text in UTF-8", name)
     try:
-        text = content.decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         raise unreadable(f"line {line} is not UTF-8", "save the file as UTF-8", name) from None
-    return read_text(text, name, settings)
 
 
 def too_large(size: int, name: str) -> SceneError:
@@ -76,6 +80,11 @@ def unreadable(message: str, help: str, name: str, kind: str = "file") -> SceneE
 
 def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
     """The problem in a text. Raises SceneError with all faults."""
+    return read_tree(*composed(text, file), file, settings)
+
+
+def composed(text: str, file: str) -> tuple[Node, tuple[str, ...]]:
+    """The tree of a text and its lines, if it is one that YAML knows."""
     if len(text) > BYTES:
         raise too_large(len(text), file)
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
@@ -84,7 +93,20 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
         line = text.count("\n", 0, control) + 1
         message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
         raise unreadable(message, "a scene is YAML text in UTF-8", file)
-    return read_tree(*compose(text, file), file, settings)
+    return compose(text, file)
+
+
+def is_sheet(root: Node) -> TypeGuard[Map]:
+    """Whether a file lists problems, and is none itself."""
+    words = {key.value for key, _ in root.entries} if isinstance(root, Map) else set()
+    return bool(words & {"sheet", "problems"}) and words.isdisjoint(("find", "bodies"))
+
+
+def no_scene_but_sheet(root: Map, file: str) -> Fault:
+    """What is said of a sheet where a scene is wanted."""
+    key, _ = root.entries[0]
+    help = f"`rotsolve key {file} -o DIR` makes its pages; this takes a problem of it"
+    return Fault("this file is a sheet of problems, and no scene", key.span, help, "sheet")
 
 
 def is_control(code: int) -> bool:
@@ -99,6 +121,8 @@ def read_tree(
 ) -> Problem:
     """The problem in the tree of a text."""
     scope = Scope()
+    if is_sheet(root):
+        raise SceneError([no_scene_but_sheet(root, file)], lines, file)
     problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
     scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None else ())
     if scope.faults:
@@ -209,6 +233,7 @@ class Sections:
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
         fields["answers"] = self.answers(asked)
+        fields["ask"] = self.ask(asked, lines)
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
         problem = Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
@@ -342,6 +367,14 @@ class Sections:
                 known = APPROXIMATIONS if scope.space else (f"m {SMALL_BESIDE} M",)
                 scope.unknown(item, word, "approximation", known, "approximations")
         return tuple(found)
+
+    def ask(self, asked: Mapping[str, Any], lines: tuple[str, ...]) -> tuple[Wording, ...]:
+        node = self.node("ask")
+        if node is None:
+            return ()
+        from rotsolve.scene.statement import read_wordings  # few scenes say it
+
+        return read_wordings(self.scope, node, asked, lines)
 
     def marking(self, asked: Mapping[str, Any]) -> tuple[Marking, ...]:
         node = self.node("marking")

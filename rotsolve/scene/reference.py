@@ -11,12 +11,14 @@ from rotsolve.core.quantity import QUANTITIES, QuantityKind
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.language.grammar import BODY, CLAUSES, DEDUCT, IS, MARKING, MODIFIERS, PART, PHASE, SECTIONS, WHICH
 from rotsolve.language.keys import Key, keys_of
+from rotsolve.language.sheet_keys import LISTED, SHEET
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import TABLES
 from rotsolve.scene.scope import NAME
 
 BEGIN = "<!-- generated from the tables: begin -->"
 END = "<!-- generated: end -->"
+SHEETS = (("sheet file", SHEET), ("problem of a sheet", LISTED))
 LATER = " *(not solved yet)*"
 IN_SPACE = " *(in space)*"
 IN_PLANE = " *(in the plane)*"
@@ -56,7 +58,14 @@ def word_entries() -> Iterator[tuple[str, str]]:
         about = f"`{entry.word}` (quantity): {entry.help}{later_mark(entry.later)}"
         about += f"; of: {', '.join(entry.owners)}" if entry.owners else ""
         yield entry.word, about + (f"; components: {', '.join(entry.components)}" if entry.components else "")
-    for title, keys in (("body", BODY), ("part", PART), ("phase", PHASE), ("marking", MARKING), ("deduction", DEDUCT)):
+    for title, keys in (
+        ("body", BODY),
+        ("part", PART),
+        ("phase", PHASE),
+        ("marking", MARKING),
+        ("deduction", DEDUCT),
+        *SHEETS,
+    ):
         for word, key in keys.items():
             yield word, f"`{word}` (of a {title}): {key_meaning(key)}"
     for modifier in MODIFIERS:
@@ -76,6 +85,8 @@ def reference_chapters() -> Iterator[str]:
     yield chapter_text("Keys of a phase", key_rows(PHASE.items()))
     yield chapter_text("Keys of an answer's marking", key_rows(MARKING.items()))
     yield chapter_text("Keys of `deduct`", key_rows(DEDUCT.items()))
+    for title, keys in SHEETS:
+        yield chapter_text(f"Keys of a {title}", key_rows(keys.items()))
     lines = ["| word | letter | of | components | meaning |", "| --- | --- | --- | --- | --- |"]
     lines += [quantity_row(entry) for entry in QUANTITIES.values()]
     yield "### Quantities\n\n" + "\n".join(lines)
@@ -224,6 +235,7 @@ def section_schema(name: str, key: Key) -> dict[str, Any]:
         "states": named_map({"anyOf": [{"const": "at rest"}, {"type": "object"}]}),
         "phases": named_map(map_schema(PHASE)),
         "find": {**named_map({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
+        "ask": named_map({"type": "string"}),
         "answers": {"type": "object"},
         "marking": named_map({"anyOf": [SCALAR, map_schema(MARKING)]}),
         "vary": named_map({"anyOf": [{"type": "string"}, {"type": "array", "items": SCALAR, "minItems": 1}]}),
