@@ -27,11 +27,13 @@ def parts_of(problem: Problem) -> tuple[SheetPart, ...]:
 
 
 def scaled_marking(problem: Problem, points: Fraction | None = None) -> tuple[Marking, ...]:
-    """How each answer is marked, in the order of the parts: those that `ask` words first, then the others as under `find`.
+    """How each answer is marked, in the order of the parts: as `ask` lists them where it words all, else as under `find`.
 
     Points are scaled to their wanted sum, and what flaws cost in marks with them; they are alike where all of them are nothing.
     """
-    names = dict.fromkeys((*(wording.name for wording in problem.ask), *(find.group for find in problem.finds)))
+    asked = dict.fromkeys(find.group for find in problem.finds)
+    worded = [wording.name for wording in problem.ask]
+    names = worded if asked.keys() == set(worded) else asked
     own = [marking_of(problem.marking, name) for name in names]
     whole = sum((one.points for one in own), Fraction(0))
     if points is None or points == whole:

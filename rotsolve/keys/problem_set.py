@@ -26,8 +26,9 @@ from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import read_choice, read_flag
 from rotsolve.scene.literals import parsed_quantity
 from rotsolve.scene.marking import read_marks
-from rotsolve.scene.read import composed, read_file, text_of_file
+from rotsolve.scene.read import composed, is_sheet, read_file, text_of_file
 from rotsolve.scene.scope import Scope
+from rotsolve.scene.statement import check_text
 from rotsolve.scene.tree import List, Map, Node, Text
 
 SHORT_NAME = re.compile(r"(?!\d+$)[\w-]{1,40}")
@@ -87,6 +88,14 @@ def set_of_files(files: Sequence[str], title: str = "", paper: str = A4, layout:
     return ProblemSet(title, tuple(listed), paper=paper)
 
 
+def is_sheet_file(path: str) -> bool:
+    """Whether a file lists problems, and is none itself; what can't be read is no sheet, so that its reader says why."""
+    try:
+        return is_sheet(composed(text_of_file(path), path)[0])
+    except SceneError:
+        return False
+
+
 def read_problem_set(path: str | os.PathLike[str]) -> ProblemSet:
     """The set that a sheet file lists. Raises SceneError with all faults of the file; the problems themselves are not read."""
     file = os.fspath(path)
@@ -118,6 +127,8 @@ class SetReader:
         known = {word: value for word, value in said.items() if value is not None}
         usual = layout_of(USUAL, known)
         problems = tuple(self.problems(entries["problems"][1], usual)) if "problems" in entries else ()
+        if "instructions" in entries:
+            check_text(scope, entries["instructions"][1], self.lines, "`instructions`", self.file)
         if scope.faults:
             raise SceneError(scope.faults, self.lines, self.file)
         texts = {word: known.get(word, "") for word in ("course", "date", "instructions")}

@@ -101,7 +101,7 @@ class HtmlRows:
 
     def _answer_rows(self, row: AnswerRow) -> Iterator[str]:
         """An answer and its components; of a matrix the numbers stand below the exact entries."""
-        symbol = self.math(self.printer.formula(row.symbol))
+        symbol = f"{row.head}{self.math(self.printer.formula(row.symbol))}"
         said = cell(self.words(row.behind).removeprefix(", ").strip(), "said")
         sides = [cell(math_pieces(f"{self.printer.part('=')}{self.printer.part(form)}"), "right") for form in row.forms]
         if row.matrix:
@@ -141,11 +141,15 @@ def table_of(rows: Iterable[str]) -> Iterator[str]:
         yield from ('<div class="wide"><table>', *found, "</table></div>")
 
 
-def whole_page(bodies: Sequence[str], language: str) -> str:
-    """A page of several articles, with its style sheet, and the title of the first."""
+def whole_page(bodies: Sequence[str], language: str, paper: str = "") -> str:
+    """A page of several articles, with its style sheet, and the title of the first; for a paper with the number on each page."""
     found = HEADING.search(bodies[0]) if bodies else None
     assessed = any("<th>" in body or "<code>" in body for body in bodies)
     style = f"{STYLE}{ASSESSED_STYLE if assessed else ''}"
     style += PICTURE_STYLE if any("<figure>" in body for body in bodies) else ""
+    if paper:
+        from rotsolve.page.sheet_html import paper_style
+
+        style += paper_style(paper, len(bodies))
     title = found[1] if found else "rotsolve"
     return f"{HEAD.format(language)}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"

@@ -6,12 +6,27 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import ClassVar
 
 from rotsolve.page import blocks
-from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
+from rotsolve.page.blocks import (
+    BOLD,
+    BOTH,
+    CODE,
+    FAULT,
+    ITALIC,
+    LABEL,
+    NAME,
+    STRONG,
+    AnswerRow,
+    Answers,
+    Bullets,
+    FormulaRow,
+    Formulas,
+)
 from rotsolve.page.pictures import picture_in_tikz, with_tikz
 from rotsolve.page.printer import Lines
+from rotsolve.page.sheet_latex import LatexSheets, counted_sheet, on_latex_paper
 from rotsolve.page.tex import WORDS, TexPrinter, aligned, latex_preamble, latex_prose, words_cell
 
-BOLD = r"\textbf{{{}}}"
+STRESS = r"\textbf{{{}}}"
 ROWS = 40  # of a table on one page
 
 
@@ -20,32 +35,39 @@ class Latex(TexPrinter):
 
     styles: ClassVar = {
         NAME: r"\emph{{{}}}",
-        LABEL: BOLD + r"\quad ",
-        STRONG: BOLD,
-        FAULT: BOLD,
+        LABEL: STRESS + r"\quad ",
+        STRONG: STRESS,
+        FAULT: STRESS,
         CODE: r"\texttt{{{}}}",
+        BOLD: STRESS,
+        ITALIC: r"\textit{{{}}}",
+        BOTH: r"\textbf{{\textit{{{}}}}}",
     }
 
     def prose(self, text: str) -> str:
         return latex_prose(text)
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
-        return super().own() | {blocks.Picture: picture_in_tikz, Formulas: self.formulas, Answers: self.answers}
+        sheets = LatexSheets(self).own()
+        return (
+            super().own() | sheets | {blocks.Picture: picture_in_tikz, Formulas: self.formulas, Answers: self.answers}
+        )
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         said = self.words(block.words)
-        yield BOLD.format(said) if block.minor else rf"\{'sub' * (block.level - 1)}section*{{{said}}}"
+        yield STRESS.format(said) if block.minor else rf"\{'sub' * (block.level - 1)}section*{{{said}}}"
 
     def paragraph(self, block: blocks.Paragraph) -> Iterator[str]:
         yield from (self.words(block.words), "")
 
     def bullets(self, block: Bullets) -> Iterator[str]:
-        yield r"\begin{itemize}"
-        for item in block.items:
+        kind = "itemize" if block.start is None else "enumerate"
+        yield rf"\begin{{{kind}}}"
+        for item, mark in zip(block.items, block.marks, strict=True):
             code = "".join(rf"\\ \mbox{{\texttt{{{self.prose(line).replace(' ', '~')}}}}}" for line in item.code)
-            yield rf"  \item {self.words(item.words)}{code}"
-            yield from self.bullets(Bullets(item.inner)) if item.inner else ()
-        yield r"\end{itemize}"
+            yield rf"  \item{f'[{mark}]' if mark else ''} {self.words(item.words)}{code}"
+            yield from self.bullets(item.list) if item.inner else ()
+        yield rf"\end{{{kind}}}"
 
     def table(self, block: blocks.Table) -> Iterator[str]:
         """A table, in parts that each fit on a page; the last cells are broken where they are long."""
@@ -58,7 +80,7 @@ class Latex(TexPrinter):
             yield from (r"\end{tabular}", "")
 
     def formulas(self, block: Formulas) -> Iterator[str]:
-        yield BOLD.format(block.caption)
+        yield STRESS.format(block.caption)
         for remark in block.remarks:
             yield from ("", self.words(blocks.unindented(remark)))
         lines: list[str] = []  # of one alignment, up to a step of which much is said
@@ -84,13 +106,17 @@ class Latex(TexPrinter):
         """An answer and its components, a line each."""
         said = self.words(row.behind).removeprefix(", ").strip()
         sides = f"= {' = '.join(map(self.part, row.forms))}" if row.forms else ""
-        yield f"{self.formula(row.symbol)} &{sides}{words_cell(said)}"
+        head = rf"\text{{{row.head}}}" if row.label else ""
+        yield f"{head}{self.formula(row.symbol)} &{sides}{words_cell(said)}"
         for component in () if row.matrix else row.components:
             yield from self._answer_lines(component)
 
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own."""
-        return with_tikz(latex_preamble(self.babel) + "\\clearpage\n".join(bodies) + "\\end{document}\n")
+        if self.paper:
+            bodies = [counted_sheet(body, number) for number, body in enumerate(bodies, 1)]
+        preamble = on_latex_paper(latex_preamble(self.babel), self.paper) if self.paper else latex_preamble(self.babel)
+        return with_tikz(preamble + "\\clearpage\n".join(bodies) + "\\end{document}\n")
 
 
 PRINTER = Latex()

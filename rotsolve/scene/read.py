@@ -213,10 +213,10 @@ class Sections:
         self.declare()
         self.givens()
         fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
-        if "{" in fields["text"]:
-            from rotsolve.scene.statement import check_slots  # most texts name no givens
+        if any(sign in fields["text"] for sign in ("{", "$", "![")):
+            from rotsolve.scene.statement import check_text  # most texts are prose alone
 
-            check_slots(scope, self.top["text"][1], lines)
+            check_text(scope, self.top["text"][1], lines, "`text`", file)
         fields["gravity"], turning = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         if scope.space and "plane" in self.top:
@@ -233,7 +233,7 @@ class Sections:
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
         fields["answers"] = self.answers(asked)
-        fields["ask"] = self.ask(asked, lines)
+        fields["ask"] = self.ask(asked, lines, file)
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
         problem = Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
@@ -368,13 +368,13 @@ class Sections:
                 scope.unknown(item, word, "approximation", known, "approximations")
         return tuple(found)
 
-    def ask(self, asked: Mapping[str, Any], lines: tuple[str, ...]) -> tuple[Wording, ...]:
+    def ask(self, asked: Mapping[str, Any], lines: tuple[str, ...], file: str) -> tuple[Wording, ...]:
         node = self.node("ask")
         if node is None:
             return ()
         from rotsolve.scene.statement import read_wordings  # few scenes say it
 
-        return read_wordings(self.scope, node, asked, lines)
+        return read_wordings(self.scope, node, asked, lines, file)
 
     def marking(self, asked: Mapping[str, Any]) -> tuple[Marking, ...]:
         node = self.node("marking")

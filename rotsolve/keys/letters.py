@@ -1,0 +1,66 @@
+"""Letters: what a letter of a scene stands for, in words, by where the scene has it: "mass of the block"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import DIMENSIONS
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.writing import spoken
+from rotsolve.elements.connections import Friction
+from rotsolve.language.keys import Element, keys_of
+from rotsolve.language.problem import Path, PointRef, Problem, Term, references
+
+if TYPE_CHECKING:
+    from rotsolve.keys.asked import AskedWords
+
+NAMES = {"inertia": "moment of inertia", "gyration": "radius of gyration", "friction": "coefficient of friction"}
+BODY = ("mass", "inertia", "gyration", "radius", "density")  # fields of a body that hold one value
+
+
+def words_of_letter(problem: Problem, letter: str, asked: AskedWords) -> str:
+    """What a letter stands for, without an article; '' where no single place of the scene tells it."""
+    found = dict.fromkeys(meanings_of_letter(problem, Symbol(letter), asked))
+    return next(iter(found), "")
+
+
+def meanings_of_letter(problem: Problem, letter: Symbol, asked: AskedWords) -> Iterator[str]:
+    """What a letter stands for at each place that has it alone."""
+    for body in problem.bodies:
+        for word in BODY:
+            if getattr(body, word) == letter:
+                yield f"{NAMES.get(word, word)} of {asked.names.thing(body.name)}"
+        if isinstance(body.shape, Element):
+            yield from (f"{word} of {asked.names.thing(body.name)}" for word in words_of_keys(body.shape, letter))
+        for word, _, value in body.moved:
+            if value == letter:
+                yield f"{spoken(word)} of {asked.names.thing(body.name)}"
+    for item in (*problem.connections, *problem.actions, *problem.surfaces, *problem.events):
+        for word in words_of_keys(item, letter):
+            both = asked.names.touching(item.name)
+            between = both and word == NAMES["friction"]
+            yield (
+                f"{word} between {both[0]} and {both[1]}"
+                if both and between
+                else f"{word} of {asked.names.thing(item.name)}"
+            )
+    for state in problem.states:
+        for line in state.conditions:
+            if line.path is not None and line.value == letter:
+                yield asked.bare(asked.line(line.path), Term(line.path, at=state.name))
+    for ref in references((problem.connections, problem.actions, problem.events, problem.finds)):
+        if isinstance(ref, (PointRef, Path)) and ref.argument == letter and ref.owner:
+            yield f"distance along {asked.names.thing(ref.owner)} from its start"
+
+
+def words_of_keys(item: Any, letter: Symbol) -> Iterator[str]:
+    """The words of the keys of an element under which a letter stands."""
+    for word, key in keys_of(item):
+        field = word if hasattr(item, word) else f"{word}_"
+        value = getattr(item, field, None)
+        parts = (value.static, value.kinetic) if isinstance(value, Friction) else (value,)
+        if letter in [part for part in parts if isinstance(part, Formula)]:
+            noun = word in QUANTITIES or word in DIMENSIONS or word in NAMES or word == item.word
+            yield NAMES.get(word, spoken(word) if noun or key.dimension is None else key.dimension)
