@@ -22,7 +22,7 @@ from rotsolve.keys.letters import words_of_letter
 from rotsolve.keys.names import NameWords
 from rotsolve.language.problem import Condition, Find, Option, Path, Problem, Term, WhichOf
 from rotsolve.motion.timeline import timeline
-from rotsolve.page.blocks import Math, Phrase, joined_phrases
+from rotsolve.page.blocks import Math, Phrase, authored, joined_phrases
 
 ONE_TERM = Symbol("#0")
 TOUCHING = ("normal_force", "friction_force")  # forces that two bodies exert on each other where they touch
@@ -55,7 +55,7 @@ class AskedWords:
     def phrase(self, find: Find) -> Phrase:
         """The letter of a question with what it stands for."""
         letter = Symbol(find.group)
-        unit = (f", in {find.unit.text}",) if find.unit is not None and find.unit.text else ()
+        unit: Phrase = (", in ", authored(find.unit.text)) if find.unit is not None and find.unit.text else ()
         said = self.said(find)
         if said and isinstance(said[0], Math):
             return (Math((letter, "=", *said[0].parts)), *said[1:], *unit)
@@ -86,7 +86,7 @@ class AskedWords:
         given = next((given for given in self.problem.givens if given.name == name), None)
         if given is not None and given.value is not None and not given.asked:  # in another unit
             return (Math((Symbol(name),)),)
-        own = words_of_letter(self.problem, name, self)
+        own = words_of_letter(self.problem, name, self.names, self.at_state)
         if own or find.modifier:
             return (f"the {' '.join(filter(None, (find.modifier, own or 'value')))}",)
         kind = kind_of(given.dimension) if given is not None and given.dimension is not None else None
@@ -113,7 +113,7 @@ class AskedWords:
         word, owner = named(asked, term)
         if term.path.component in ORDERED:
             word = word.removesuffix("s")  # of the principal moments the first
-        end = f" at {self.names.thing(term.path.point)}" if term.path.point in self.names.bodies else ""
+        end = f" on the side of {self.names.thing(term.path.point)}" if term.path.point in self.names.bodies else ""
         return f"{self.names.worded(f'{part}{word}{owner}{observed_in(term)}')}{end}{self.moment(term)}"
 
     def of_two(self, find: Find, term: Term) -> str:
@@ -134,9 +134,9 @@ class AskedWords:
             return ""
         return self.names.worded(moment_words(term, self.timeline))
 
-    def line(self, path: Path) -> Find:
-        """A question for one quantity, as others ask for it."""
-        return Find("", ONE_TERM, (Term(path),))
+    def at_state(self, path: Path, state: str) -> str:
+        """A quantity at a state, as a line of that has it."""
+        return self.bare(Find("", ONE_TERM, (Term(path),)), Term(path, at=state))
 
     # expressions
 

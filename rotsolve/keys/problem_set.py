@@ -26,7 +26,7 @@ from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import read_choice, read_flag
 from rotsolve.scene.literals import parsed_quantity
 from rotsolve.scene.marking import read_marks
-from rotsolve.scene.read import composed, is_sheet, read_file, text_of_file
+from rotsolve.scene.read import is_sheet, read_file, text_of_file, tree_of_text
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.statement import check_text
 from rotsolve.scene.tree import List, Map, Node, Text
@@ -91,7 +91,7 @@ def set_of_files(files: Sequence[str], title: str = "", paper: str = A4, layout:
 def is_sheet_file(path: str) -> bool:
     """Whether a file lists problems, and is none itself; what can't be read is no sheet, so that its reader says why."""
     try:
-        return is_sheet(composed(text_of_file(path), path)[0])
+        return is_sheet(tree_of_text(text_of_file(path), path)[0])
     except SceneError:
         return False
 
@@ -99,7 +99,7 @@ def is_sheet_file(path: str) -> bool:
 def read_problem_set(path: str | os.PathLike[str]) -> ProblemSet:
     """The set that a sheet file lists. Raises SceneError with all faults of the file; the problems themselves are not read."""
     file = os.fspath(path)
-    root, lines = composed(text_of_file(file), file)
+    root, lines = tree_of_text(text_of_file(file), file)
     return SetReader(root, file, lines).read()
 
 

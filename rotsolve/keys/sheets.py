@@ -29,7 +29,7 @@ from rotsolve.page.blocks import (
     authored,
 )
 from rotsolve.page.derivation import DerivationPage
-from rotsolve.page.statement_blocks import Field, Image, PageBreak, Question, SheetHead
+from rotsolve.page.statement_blocks import HeadField, Image, PageBreak, Question, SheetHead
 from rotsolve.page.text import PRINTER, plain_text
 from rotsolve.page.values import answer_row, given_equation
 from rotsolve.scene.statement import statement_blocks
@@ -116,7 +116,7 @@ class SheetPage(Page, frozen=True):
 
     def blocks(self) -> Iterator[PageBlock]:
         set = self.sheet.set
-        fields = (Field("Name", wide=True), Field("Number"), Field("Date", set.date))
+        fields = (HeadField("Name", wide=True), HeadField("Number"), HeadField("Date", set.date))
         yield SheetHead(self.sheet.title, set.course, fields)
         yield from instructions(set)
         for place, one in enumerate(self.sheet.problems):
@@ -201,12 +201,12 @@ def key_blocks(sheet: Sheet, digits: int) -> Iterator[PageBlock]:
         for part, answer in one.answers():
             row = answer_row(answer, digits)
             label = part.label if len(one.parts) > 1 else ""
-            notes = (*row.notes, (f"{points_in_words(part.points)}{tolerance_of(one, answer)}",))
+            notes = (*row.notes, (f"{points_in_words(part.points)}{told_tolerance(one, answer)}",))
             rows.append(replace(row, label=label, notes=notes))
         yield Answers(tuple(rows))
 
 
-def tolerance_of(one: SheetProblem, answer: Answer) -> str:
+def told_tolerance(one: SheetProblem, answer: Answer) -> str:
     """How far a number may be off, behind the points; nothing of an answer in words or letters alone."""
     numbers = answer.value is not None or any(part.value is not None for part in answer.components)
     tolerance = marking_of(one.marked.marking, answer.name).tolerance

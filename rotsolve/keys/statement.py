@@ -63,7 +63,7 @@ def statement(worked: Worked, marked: Problem | None = None) -> Statement:
         problem.title,
         tuple(map(by_author, statement_blocks(problem.text, said, os.path.dirname(problem.file)))),
         tuple((given_equation(given),) for given in others),
-        tuple(asked_parts(problem, marked or problem, said)),
+        tuple(parts_in_words(problem, marked or problem, said)),
         tuple((answer.symbol, f": {answer.positive}") for answer in worked.answers if answer.positive),
     )
 
@@ -98,7 +98,7 @@ def prose_with_letters(prose: str, letters: Collection[str]) -> Iterator[str | S
     yield prose[position:]
 
 
-def asked_parts(problem: Problem, marked: Problem, said: Filler) -> Iterator[AskedPart]:
+def parts_in_words(problem: Problem, marked: Problem, said: Filler) -> Iterator[AskedPart]:
     """What is asked, part by part: in the words of the author, else in words made of the scene."""
     wordings = {wording.name: wording.text for wording in problem.ask}
     parts = parts_of(marked)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
-from urllib.parse import quote
 
 from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
 from rotsolve.page.blocks import BOLD, BOTH, CODE, FAULT, ITALIC, LABEL, NAME, STRONG, Bullets
-from rotsolve.page.html_rows import HtmlRows, table_of, whole_page
+from rotsolve.page.html_rows import HtmlRows, whole_page
 from rotsolve.page.pictures import picture_in_svg
 from rotsolve.page.printer import Lines, Printer
 from rotsolve.page.sheet_html import HtmlSheets
@@ -66,6 +65,7 @@ class Html(Printer):
             super().own()
             | HtmlSheets(self).own()
             | {
+                blocks.Table: rows.table,
                 blocks.Picture: picture_in_svg,
                 blocks.Formulas: rows.formulas,
                 blocks.Answers: rows.answers,
@@ -84,18 +84,9 @@ class Html(Printer):
         yield f'<ol start="{block.start}">' if tag == "ol" else "<ul>"
         for item in block.items:
             code = f"<pre>{self.prose(chr(10).join(item.code))}</pre>" if item.code else ""
-            inner = "\n".join(("", *self.bullets(Bullets(item.inner)))) if item.inner else ""
+            inner = "\n".join(("", *self.bullets(item.list))) if item.inner else ""
             yield f"<li>{self.words(item.words)}{code}{inner}</li>"
         yield f"</{tag}>"
-
-    def table(self, block: blocks.Table) -> Iterator[str]:
-        """A table; the first cells are links where they lead to files."""
-        rows = ["".join(f"<th>{self.prose(column)}</th>" for column in block.columns)]
-        for row, target in zip(block.rows, block.targets or ("",) * len(block.rows), strict=True):
-            first, *others = map(self.words, row)
-            link = f'<a href="{quote(target)}">{first}</a>' if target else first
-            rows.append("".join(f"<td>{cell}</td>" for cell in (link, *others)))
-        yield from table_of(rows)
 
     def body(self, page: blocks.Page, width: int) -> str:
         """The page as an article, which is printed on a sheet of its own."""

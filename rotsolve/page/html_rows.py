@@ -4,8 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from urllib.parse import quote
 
-from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas, unindented
+from rotsolve.page.blocks import (
+    CODE,
+    AnswerRow,
+    Answers,
+    AssessedText,
+    AssessedTexts,
+    FormulaRow,
+    Formulas,
+    Table,
+    unindented,
+)
 from rotsolve.page.mathml_lines import math_pieces
 from rotsolve.page.printer import Printer
 
@@ -112,6 +123,15 @@ class HtmlRows:
         yield f"{cell(symbol, 'left')}{''.join([*sides, *[cell('', 'right')] * 2][:2])}{said}"
         for component in row.components:
             yield from self._answer_rows(component)
+
+    def table(self, block: Table) -> Iterator[str]:
+        """A table; the first cells are links where they lead to files."""
+        rows = ["".join(f"<th>{self.printer.prose(column)}</th>" for column in block.columns)]
+        for row, target in zip(block.rows, block.targets or ("",) * len(block.rows), strict=True):
+            first, *others = map(self.words, row)
+            link = f'<a href="{quote(target)}">{first}</a>' if target else first
+            rows.append("".join(f"<td>{cell}</td>" for cell in (link, *others)))
+        yield from table_of(rows)
 
     def assessed(self, block: AssessedTexts) -> Iterator[str]:
         """A text with what is thought of it, and below it what is said of it."""

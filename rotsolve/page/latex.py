@@ -15,16 +15,15 @@ from rotsolve.page.blocks import (
     LABEL,
     NAME,
     STRONG,
-    AnswerRow,
     Answers,
     Bullets,
-    FormulaRow,
     Formulas,
 )
+from rotsolve.page.latex_rows import LatexRows
 from rotsolve.page.pictures import picture_in_tikz, with_tikz
 from rotsolve.page.printer import Lines
 from rotsolve.page.sheet_latex import LatexSheets, counted_sheet, on_latex_paper
-from rotsolve.page.tex import WORDS, TexPrinter, aligned, latex_preamble, latex_prose, words_cell
+from rotsolve.page.tex import WORDS, TexPrinter, latex_preamble, latex_prose
 
 STRESS = r"\textbf{{{}}}"
 ROWS = 40  # of a table on one page
@@ -48,9 +47,9 @@ class Latex(TexPrinter):
         return latex_prose(text)
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
-        sheets = LatexSheets(self).own()
+        rows, sheets = LatexRows(self), LatexSheets(self).own()
         return (
-            super().own() | sheets | {blocks.Picture: picture_in_tikz, Formulas: self.formulas, Answers: self.answers}
+            super().own() | sheets | {blocks.Picture: picture_in_tikz, Formulas: rows.formulas, Answers: rows.answers}
         )
 
     def title(self, block: blocks.Title) -> Iterator[str]:
@@ -78,38 +77,6 @@ class Latex(TexPrinter):
             yield " & ".join(map(self.prose, block.columns)) + r" \\ \hline"
             yield from (" & ".join(row) + r" \\" for row in rows[first : first + ROWS])
             yield from (r"\end{tabular}", "")
-
-    def formulas(self, block: Formulas) -> Iterator[str]:
-        yield STRESS.format(block.caption)
-        for remark in block.remarks:
-            yield from ("", self.words(blocks.unindented(remark)))
-        lines: list[str] = []  # of one alignment, up to a step of which much is said
-        for row in block.rows:
-            if row.says_much:
-                yield from (*aligned(lines), "", f"{self.words(row.words)}:")
-                lines = []
-            lines += self._formula_lines(row)
-        yield from aligned(lines)
-
-    def _formula_lines(self, row: FormulaRow) -> Iterator[str]:
-        """A line for each equality: behind the first stands where it comes from, the last has the number."""
-        said = "" if row.says_much else self.words(row.words)
-        for number, (left, right) in enumerate(map(self.sides, row.chain)):
-            worth = "".join(f" {self.part(part)}" for part in row.worth(number))
-            tag = rf" \tag{{{row.number}}}" if row.mark and number == len(row.chain) - 1 else ""
-            yield f"{left} &{right}{worth}{'' if number else words_cell(said)}{tag}"
-
-    def answers(self, block: Answers) -> Iterator[str]:
-        yield from aligned([line for row in block.rows for line in self._answer_lines(row)])
-
-    def _answer_lines(self, row: AnswerRow) -> Iterator[str]:
-        """An answer and its components, a line each."""
-        said = self.words(row.behind).removeprefix(", ").strip()
-        sides = f"= {' = '.join(map(self.part, row.forms))}" if row.forms else ""
-        head = rf"\text{{{row.head}}}" if row.label else ""
-        yield f"{head}{self.formula(row.symbol)} &{sides}{words_cell(said)}"
-        for component in () if row.matrix else row.components:
-            yield from self._answer_lines(component)
 
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from rotsolve.page.blocks import PageBlock
-from rotsolve.page.statement_blocks import LINE, Field, Image, PageBreak, Question, SheetHead
+from rotsolve.page.statement_blocks import LINE, HeadField, Image, PageBreak, Question, SheetHead
 
 if TYPE_CHECKING:
     from rotsolve.page.printer import Lines, Printer
@@ -52,7 +52,7 @@ class HtmlSheets:
         yield from (f'<p class="fields">{"".join(map(self.field, block.fields))}</p>',) if block.fields else ()
         yield "</header>"
 
-    def field(self, field: Field) -> str:
+    def field(self, field: HeadField) -> str:
         return f'<span class="field{" wide" * field.wide}">{self.prose(field.label)} <i>{self.prose(field.said)}</i></span>'
 
     def question(self, block: Question) -> Iterator[str]:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from rotsolve.page.blocks import PageBlock
-from rotsolve.page.statement_blocks import LINE, Field, Image, PageBreak, Question, SheetHead
+from rotsolve.page.statement_blocks import LINE, HeadField, Image, PageBreak, Question, SheetHead
 from rotsolve.page.tex import latex_prose
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class LatexSheets:
         fields = r"\quad ".join(map(self.field, block.fields))
         yield from (rf"\noindent {fields}\par\bigskip", "") if fields else ()
 
-    def field(self, field: Field) -> str:
+    def field(self, field: HeadField) -> str:
         room = "70mm" if field.wide else "25mm"
         return rf"{self.prose(field.label)}~" + (self.prose(field.said) or rf"\underline{{\hspace{{{room}}}}}")
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.notation.typst import typst_string
 from rotsolve.page.blocks import PageBlock
-from rotsolve.page.statement_blocks import LINE, Field, Image, PageBreak, Question, SheetHead
+from rotsolve.page.statement_blocks import LINE, HeadField, Image, PageBreak, Question, SheetHead
 
 if TYPE_CHECKING:
     from rotsolve.page.printer import Lines, Printer
@@ -24,12 +24,12 @@ SHEET_LAYOUT = f"""\
 #let sheet-head(course, title, ..fields) = {{
   if course != [] {{ block(below: 0.8em, course) }}
   title
-  let widths = fields.pos().map(field => if field.wide {{ 3fr }} else {{ 1fr }})
+  let widths = fields.pos().map(field => if field.said != [] {{ auto }} else if field.wide {{ 3fr }} else {{ 1fr }})
   let blank = box(width: 1fr, line(length: 100%, stroke: 0.5pt))
-  let cells = fields.pos().map(field => box(width: 100%, {{
-    field.label + h(0.5em)
-    if field.said == [] {{ blank }} else {{ field.said }}
-  }}))
+  let cells = fields.pos().map(field => {{
+    let label = field.label + h(0.5em)
+    if field.said == [] {{ box(width: 100%, label + blank) }} else {{ label + field.said }}
+  }})
   if cells.len() > 0 {{ block(below: 1.6em, grid(columns: widths, column-gutter: 1.5em, ..cells)) }}
 }}
 
@@ -69,7 +69,7 @@ class TypstSheets:
         yield f"]{''.join(map(self.field, block.fields))})"
         yield ""
 
-    def field(self, field: Field) -> str:
+    def field(self, field: HeadField) -> str:
         return (
             f", (label: [{self.prose(field.label)}], said: [{self.prose(field.said)}], wide: {str(field.wide).lower()})"
         )

@@ -18,7 +18,7 @@ BLANK = "_" * 16
 LINE = 8  # millimetres from one line to write on to the next
 
 
-class Field(Struct, frozen=True):
+class HeadField(Struct, frozen=True):
     """A field at the head of a sheet: its label, and what stands in it, or room to fill it in; a `wide` one is for a name."""
 
     label: str
@@ -31,7 +31,7 @@ class SheetHead(PageBlock, frozen=True):
 
     title: Phrase
     course: str = ""
-    fields: tuple[Field, ...] = ()
+    fields: tuple[HeadField, ...] = ()
 
     def simpler(self) -> Iterator[PageBlock]:
         yield from (Paragraph((authored(self.course),)),) if self.course else ()

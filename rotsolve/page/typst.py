@@ -25,12 +25,10 @@ class Typst(Printer):
     blank = " thin "
     comma = '","'  # a bare one has a blank behind it, and divides arguments
     styles: ClassVar = {  # the semicolon ends the command, whatever stands behind it
-        NAME: "#emph[{}];",
+        **dict.fromkeys((NAME, ITALIC), "#emph[{}];"),
         LABEL: "#strong[{}];#h(0.8em)",
-        STRONG: "#strong[{}];",
+        **dict.fromkeys((STRONG, BOLD), "#strong[{}];"),
         FAULT: "#fault[{}];",
-        BOLD: "#strong[{}];",
-        ITALIC: "#emph[{}];",
         BOTH: "#strong[#emph[{}];];",
     }
 

@@ -48,7 +48,7 @@ def marked_blocks(text: str, fill: Fill, folder: str) -> Iterator[PageBlock]:
 def marked_line(text: str, fill: Fill) -> Phrase:
     """A line of words, in which no image stands."""
     (inline,) = parser().parseInline(text)
-    return phrase_of(inline.children or (), fill)
+    return marked_words(inline.children or (), fill)
 
 
 class TokenReader:
@@ -70,7 +70,7 @@ class TokenReader:
         for image, group in groupby(children, lambda child: child.type == "image"):
             if image:
                 yield from map(self.image, group)
-            elif words := trimmed(phrase_of([*group], self.fill)):
+            elif words := trimmed(marked_words([*group], self.fill)):
                 yield Paragraph(words)
 
     def image(self, token: Any) -> Image:
@@ -97,7 +97,7 @@ class TokenReader:
             if token.type == "list_item_close" and token.level == level:
                 break
             if token.type == "inline":
-                words = phrase_of(token.children or (), self.fill)
+                words = marked_words(token.children or (), self.fill)
                 bullet = replace(bullet, words=(*bullet.words, " ", *words) if bullet.words else words)
             elif token.type in ("bullet_list_open", "ordered_list_open"):
                 inner, start = self.items(token)
@@ -105,7 +105,7 @@ class TokenReader:
         return bullet
 
 
-def phrase_of(children: Sequence[Any], fill: Fill) -> Phrase:
+def marked_words(children: Sequence[Any], fill: Fill) -> Phrase:
     """Words with what is bold or italic in them; formulas are set as ever."""
     found: list[Any] = []
     bold = italic = False

@@ -80,10 +80,10 @@ def unreadable(message: str, help: str, name: str, kind: str = "file") -> SceneE
 
 def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
     """The problem in a text. Raises SceneError with all faults."""
-    return read_tree(*composed(text, file), file, settings)
+    return read_tree(*tree_of_text(text, file), file, settings)
 
 
-def composed(text: str, file: str) -> tuple[Node, tuple[str, ...]]:
+def tree_of_text(text: str, file: str) -> tuple[Node, tuple[str, ...]]:
     """The tree of a text and its lines, if it is one that YAML knows."""
     if len(text) > BYTES:
         raise too_large(len(text), file)

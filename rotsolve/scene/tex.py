@@ -288,7 +288,7 @@ class TexReader:
 
     def number_with_degrees(self) -> Formula:
         number = self.take()
-        return Decimal(f"{plain_number_text(number)}°") if self.unit() == "deg" else number_of(number)
+        return Decimal(f"{plain_number_text(number)}°") if self.unit() == "deg" else number_as_told(number)
 
     def argument(self) -> Formula:
         """What a command or `^` takes: a group in braces, or one letter or digit."""
@@ -302,7 +302,7 @@ class TexReader:
     def atom(self) -> Formula:
         token = self.ahead
         if NUMBER.fullmatch(token):
-            return number_of(self.take())
+            return number_as_told(self.take())
         if token in CLOSED_BY:
             return self.group(token)
         if token in FRACTIONS:
@@ -426,7 +426,7 @@ def quotient_as_told(above: Formula, below: Formula) -> Formula:
     return Quotient(above, below)
 
 
-def number_of(token: str) -> Formula:
+def number_as_told(token: str) -> Formula:
     """A number as it is written: a decimal one keeps its digits."""
     text = plain_number_text(token)
     return Number(Fraction(text)) if text.isdecimal() else Decimal(text)
