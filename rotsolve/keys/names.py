@@ -67,7 +67,7 @@ class NameWords:
 
     def touching(self, contact: str) -> tuple[str, str] | None:
         """Both things that touch at a contact; None where it is not between two."""
-        item = self.elements.get(contact)
+        item = next((item for item in self.problem.connections if item.name == contact), None)
         owners = [*dict.fromkeys(ref.owner for ref in item.touches() if ref.owner)] if item is not None else []
         return (self.surface(owners[0]), self.surface(owners[1])) if len(owners) == 2 else None
 

@@ -68,7 +68,7 @@ class LatexSheets:
         yield from [line] * block.lines
         if block.room and not block.lines:
             yield rf"\nopagebreak\vspace*{{{float(block.room):g}mm}}"
-        yield from (r"\end{samepage}", "")
+        yield from (r"\end{samepage}\penalty0", "")  # behind room a page could not end by itself
 
     def page_break(self, block: PageBreak) -> Iterator[str]:
         yield from (r"\clearpage", "")

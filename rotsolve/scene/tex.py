@@ -66,6 +66,8 @@ KNOWN = (
 )
 NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
 SPACE = re.compile(r"\\[,;: ]|~")
+UPRIGHT_GROUP = re.compile(r"\{((?:[^{}\\]|\\[,;: ]|\\cdot|\^\{-?\d+\})*)\}")
+RAISED = re.compile(r"\^\{(-?\d+)\}")
 TOKEN = re.compile(rf"{NUMBER.pattern}|\\[A-Za-z]+|\\.|[^\W\d_]|\S")
 UNDERSTOOD = r"understood are letters with `_` and `^`, numbers, `\frac`, `\sqrt`, `\sin`, `\alpha`, `\le`, `\approx`, `\mathrm{m/s}`"
 
@@ -161,15 +163,15 @@ class TexReader:
     def upright(self) -> str:
         """What stands in the braces ahead, as it is written."""
         start = self.column
-        end = self.text.find("}", start)
-        if not self.taken("{") or end < 0:
-            raise self.stop("braces are wanted here")
-        inner = SPACE.sub(" ", self.text[start + 1 : end]).replace(r"\cdot", "·")
-        if "{" in inner or "\\" in inner:
-            raise FormulaError("within upright letters stand letters alone", start, end)
-        while self.place < len(self.tokens) and self.tokens[self.place][1] <= end:
+        found = UPRIGHT_GROUP.match(self.text, start)
+        if found is None:
+            closed = self.text.find("}", start)
+            if self.ahead != "{" or closed < 0:
+                raise self.stop("braces are wanted here")
+            raise FormulaError("within upright letters stand letters alone", start, closed)
+        while self.place < len(self.tokens) and self.tokens[self.place][1] < found.end():
             self.place += 1
-        return inner
+        return RAISED.sub(r"^\1", SPACE.sub(" ", found[1]).replace(r"\cdot", "·"))
 
     def amount(self) -> Amount | None:
         """A number alone with its unit, if that is what stands here: `9{,}8\\,\\mathrm{m/s^2}`, `30^\\circ`."""
