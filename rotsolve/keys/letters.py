@@ -16,6 +16,7 @@ from rotsolve.language.keys import Element, keys_of
 from rotsolve.language.problem import Path, PointRef, Problem, references
 
 NAMES = {"inertia": "moment of inertia", "gyration": "radius of gyration", "friction": "coefficient of friction"}
+VALUES = ("quantity", "amount", "motion", "friction")  # kinds of keys that hold values, and no places
 BODY = ("mass", "inertia", "gyration", "radius", "density")  # fields of a body that hold one value
 
 
@@ -58,7 +59,7 @@ def words_of_keys(item: Any, letter: Symbol) -> Iterator[str]:
     for word, key in keys_of(item):
         field = word if hasattr(item, word) else f"{word}_"
         value = getattr(item, field, None)
-        if letter in formulas_of_key(value):
+        if key.kind in VALUES and letter in formulas_of_key(value):
             noun = word in QUANTITIES or word in DIMENSIONS or word in NAMES or word == item.word
             yield NAMES.get(word, spoken(word) if noun or key.dimension is None else key.dimension)
 
