@@ -153,7 +153,6 @@ class LetterMaker(Protocol):
 class ActingElement(Element, frozen=True):
     """Base of all that acts on bodies. `quantities` can be asked of it."""
 
-    word: ClassVar[str] = ""
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
@@ -451,7 +450,6 @@ class Connection(ActingElement, frozen=True):
 class Event(Element, frozen=True):
     """Base of all events: the state before and the state after. `bodily` marks one that is about bodies alone."""
 
-    word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
     quantities_in_space: ClassVar[tuple[str, ...]] = ()
