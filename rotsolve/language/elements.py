@@ -489,6 +489,10 @@ class Event(Element, frozen=True):
         """What comes together in it, bodies and what is fixed."""
         return ()
 
+    def bounced_off(self) -> tuple[PointRef, Surface | None] | None:
+        """Which point strikes a surface, or something fixed in its way: None for that; nothing where no bounce is told off either."""
+        return None
+
     def of_centres(self) -> Event:
         """The same event as if bodies met with their centres of mass."""
         return self
