@@ -26,7 +26,7 @@ from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import definition
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
-from rotsolve.grading.reading.tokens import plain_width
+from rotsolve.grading.reading.tokens import MAX_LENGTH, plain_width
 from rotsolve.grading.verdict import (
     RIGHT,
     UNDECIDED,
@@ -80,7 +80,7 @@ class WorkingJudge:
 
     def by_own_senses(self, texts: tuple[str, ...]) -> list[Verdict] | None:
         """The verdicts with the positive directions by which no line is wrong; None where there are none such."""
-        words = {word for text in texts for word in NAME.findall(text)}
+        words = {word for text in texts if len(text) <= MAX_LENGTH for word in NAME.findall(text)}
         senses = dict.fromkeys(
             sense for word in sorted(words) for name in self.meant(word) if (sense := self.letters.meanings.sense(name))
         )
@@ -113,6 +113,8 @@ class WorkingJudge:
         """The letters that the lines bring in: in which line, and what they stand for in letters of the scene."""
         found: list[tuple[int, str, Formula]] = []
         for index, text in enumerate(texts):
+            if len(text) > MAX_LENGTH:
+                continue
             told = definition(plain_width(text), self.names(tuple(name for _, name, _ in found)))
             if told is not None:
                 found.append((index, told[0], told[1].substitute({name: form for _, name, form in found})))
@@ -120,6 +122,9 @@ class WorkingJudge:
 
     @remembered
     def verdict(self, text: str, context: Context = PLAIN) -> Verdict:
+        long = AnswerError.of_length(text)
+        if long is not None:
+            return Verdict(UNDECIDED, "", (Remark("reading", (str(long),), long.start, long.end),))
         finding = all_findings(self.link(*link, context) for link in equations_of(plain_width(text)))
         return Verdict(finding.outcome, "", finding.remarks)
 

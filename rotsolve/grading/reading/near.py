@@ -1,0 +1,54 @@
+"""Near letters: θ for the only θ₀ of a scene, F for F_low, w1 for ω₁: a letter that the scene does not have, and exactly one that it can mean."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.notation.letters import parts
+from rotsolve.grading.reading.records import LineReading
+from rotsolve.grading.verdict import Remark
+
+LOOKS_LIKE = {"omega": "w"}  # what is typed for a Greek letter that no keyboard has
+
+
+def near_letters(letters: Collection[str], others: Iterable[str] = ()) -> dict[str, str]:
+    """What may be typed for letters of a scene, each with the only one that it can mean; `others` are more that it could mean."""
+    known = {*letters, *others}
+    meant: dict[str, set[str]] = {}
+    for name in known:
+        for typed in near_spellings(name):
+            meant.setdefault(typed, set()).add(name)
+    single = {typed: names.pop() for typed, names in meant.items() if typed not in known and len(names) == 1}
+    return {typed: name for typed, name in single.items() if name in letters}
+
+
+def near_spellings(name: str) -> Iterator[str]:
+    """The letter without its index, the index without its underline, and with a look-alike for the Greek letter."""
+    letter = parts(name)
+    if letter is None or letter.change or letter.prime or letter.dots or letter.of:
+        return
+    behind = name.removeprefix(letter.head)
+    heads = [letter.head, *([LOOKS_LIKE[letter.head]] if letter.head in LOOKS_LIKE else [])]
+    for head in heads:
+        yield from (other for other in (head, head + behind, head + behind.replace("_", "")) if other != name)
+
+
+def with_near(reading: LineReading, near: Mapping[str, str]) -> LineReading:
+    """A reading with the scene's letters for those that were typed, which is said of each."""
+    pieces = tuple(with_near(part, near) for part in reading.parts)
+    held = reading.formula.symbols() if reading.formula is not None else frozenset()
+    held |= reading.right.symbols() if reading.right is not None else frozenset()
+    used = {typed: Symbol(near[typed]) for typed in sorted(held) if typed in near}
+    said = (Remark("letter", (Symbol(typed), " is taken as ", letter)) for typed, letter in used.items())
+    inner = (remark for part in pieces for remark in part.remarks if remark.kind == "letter")
+    return replace(
+        reading,
+        written=reading.text,
+        formula=None if reading.formula is None else reading.formula.substitute(used),
+        right=None if reading.right is None else reading.right.substitute(used),
+        parts=pieces,
+        remarks=(*dict.fromkeys((*reading.remarks, *said, *inner)),),
+    )
