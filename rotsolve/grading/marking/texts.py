@@ -13,18 +13,19 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
+from rotsolve.grading.comparing.numbers import Typed, certified_number, rounds_to
 from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
 from rotsolve.grading.comparing.scalars import Close, Same
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Definitions, clause
-from rotsolve.grading.reading.lines import chain_members, without_asides
+from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
 from rotsolve.grading.reading.prose import last_statement, without_prose, words_of
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, Remark, found
-from rotsolve.language.marks import FORM
+from rotsolve.language.marks import FORM, UNIT
 
 if TYPE_CHECKING:
     from rotsolve.grading.marking.axes import OtherAxes
@@ -113,7 +114,7 @@ class Texts:
     def names(self, target: Target, more: frozenset[str] = frozenset()) -> Names:
         """The letters that an answer may hold, those of the scene and more, and how many components it has."""
         components = len(target.parts) // target.rows
-        near = frozenset(typed for typed, name in self.near.items() if name == target.name)
+        near = frozenset(typed for typed, name in self.letters.near.items() if name == target.name)
         return Names(self.letters.givens | more, self.letters.told, target.name, components, self.nouns(target.name), near)
 
     @remembered
@@ -174,7 +175,8 @@ class Texts:
                 return bare
         chain = chain_members(text, self.names(target)) if target.rows == 1 else ()
         if chain:
-            return chain_judged([self._value(target, member, defined) for member in chain], chain)
+            found_in = [self._value(target, member, defined) for member in chain]
+            return exact_before_rounded(target, found_in, text) or chain_judged(found_in, chain)
         return self._value(target, text, defined)
 
     def _value(self, target: Target, text: str, defined: Defined) -> JudgedText:
@@ -235,7 +237,7 @@ class Texts:
         from rotsolve.grading.reading.near import with_near
         from rotsolve.grading.reading.quantities import quantity_readings
 
-        near = {typed: name for typed, name in self.near.items() if name != target.name}
+        near = {typed: name for typed, name in self.letters.near.items() if name != target.name}
         names, measured = self.names(target, frozenset(near)), self.letters.dimensions
         measured |= {typed: measured[name] for typed, name in near.items() if name in measured}
         try:
@@ -244,13 +246,6 @@ class Texts:
             readings = ()
         found = (*readings, *quantity_readings(line, names, measured, bool(readings)))
         return tuple(with_near(reading, near) for reading in found)
-
-    @cached_property
-    def near(self) -> dict[str, str]:
-        """What may be typed for letters of the scene, where no other can be meant, those that the laws print among them."""
-        from rotsolve.grading.reading.near import near_letters
-
-        return near_letters(self.letters.givens | self.letters.told, {*self.letters.printed, *self.letters.bare})
 
     def _with_letters(self, line: str, target: Target, defined: Definitions) -> tuple[LineReading, ...]:
         """The readings of a line with letters that the student brought in."""
@@ -295,6 +290,32 @@ class Texts:
             return reading
         formula = None if reading.formula is None else self.letters.meant(reading.formula)
         return replace(reading, formula=formula, parts=tuple(self.meant(part) for part in reading.parts))
+
+
+def exact_before_rounded(target: Target, found_in: list[JudgedText], text: str) -> JudgedText | None:
+    """What is found in `√10 m/s ≈ 3.2 m/s`: an exact value that is right is the answer, whatever figures its rounded one has."""
+    *_, exact, rounded = found_in
+    if target.whole is None or exact.reading is None or rounded.reading is None or not _is_about(text):
+        return None
+    value, typed = exact.reading, rounded.reading
+    unit = typed.unit or value.unit or target.whole.unit
+    flaws = set(exact.finding.flaws) - ({UNIT} if typed.unit is not None else set())
+    right = (exact.finding.right or exact.finding.flaws) and not flaws
+    if not right or value.kind != NUMBER or value.figures is not None or value.formula is None or typed.formula is None:
+        return None
+    number = certified_number(value.formula * (value.unit or unit).factor / unit.factor, {})
+    if not unit.dimension.matches(target.whole.dimension) or number is None:
+        return None
+    if not rounds_to(Typed(typed.formula, typed.figures), number):
+        return None
+    kept = tuple(remark for remark in exact.finding.remarks if remark.kind != "unit")
+    return replace(exact, finding=Finding(RIGHT, kept))
+
+
+def _is_about(text: str) -> bool:
+    """Whether the last sign between the members of a chain says that they are only nearly equal."""
+    signs = EQUALS.findall(text)
+    return bool(signs) and signs[-1] in ABOUT
 
 
 def chain_judged(found_in: list[JudgedText], chain: tuple[str, ...]) -> JudgedText:

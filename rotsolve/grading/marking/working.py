@@ -150,13 +150,29 @@ class WorkingJudge:
     def link(self, text: str, start: int, context: Context) -> Finding:
         """The finding for one equation of a line, which begins at `start`, by the reading that makes it right."""
         try:
-            readings = read_line(text, self.names(tuple(name for name, _ in context.defined)))
+            readings = self.readings(text, tuple(name for name, _ in context.defined))
         except AnswerError as error:
             kind = "undeclared" if error.unknown else "reading"
             remark = Remark(kind, (str(error),), start + error.start, start + error.end)
             return Finding(UNDECIDED, (remark,))
         tried = [self.equation(reading, text, context) for reading in readings]
         return next((finding for finding in tried if finding.right), tried[0])
+
+    def readings(self, text: str, defined: tuple[str, ...]) -> tuple[LineReading, ...]:
+        """All readings of an equation; with near letters where it has others than the scene."""
+        try:
+            return read_line(text, self.names(defined))
+        except AnswerError as error:
+            if not error.unknown:
+                raise
+            from rotsolve.grading.reading.near import with_near
+
+            near = {typed: name for typed, name in self.letters.near.items() if typed not in self.names(defined).letters}
+            try:
+                readings = read_line(text, self.names((*defined, *near)))
+            except AnswerError:
+                raise error from None
+            return tuple(with_near(reading, near) for reading in readings)
 
     def equation(self, reading: LineReading, text: str, context: Context) -> Finding:
         """The finding for one reading of an equation: by each state at which its letters can be meant, the asked one first."""
@@ -167,6 +183,8 @@ class WorkingJudge:
         for put in self.states(sides[0].symbols() | sides[1].symbols()):
             left, right = (self.letters.meant(side.substitute(put)) for side in sides)
             finding = self.statement(self.turned(left, context), self.turned(right, context), text)
+            letters = tuple(remark for remark in reading.remarks if remark.kind == "letter")
+            finding = replace(finding, remarks=(*finding.remarks, *letters)) if letters else finding
             if finding.right:
                 return finding
             first = first or finding

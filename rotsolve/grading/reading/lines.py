@@ -59,6 +59,7 @@ _ENDINGS = "ft ht rd ds up wn se cw ck ne pe mp ll ow"
 ENDINGS = frozenset((*_ENDINGS.split(), *"←→↑↓↺↻"))  # the last letters of these words
 LONGEST_DIRECTION = 80  # columns of such words
 EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
+ABOUT = frozenset(("≈", "≃", "\\approx", "\\simeq"))
 # what stands between members
 _LEADS = re.compile(rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;")
 WORD_ENDS = ("s", ".", ",")  # how the leads end that are words

@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.notation.letters import parts
+from rotsolve.core.vectors.tensor import AXES
 from rotsolve.grading.reading.records import LineReading
 from rotsolve.grading.verdict import Remark
 
@@ -15,14 +16,13 @@ LOOKS_LIKE = {"omega": "w"}  # what is typed for a Greek letter that no keyboard
 
 
 def near_letters(letters: Collection[str], others: Iterable[str] = ()) -> dict[str, str]:
-    """What may be typed for letters of a scene, each with the only one that it can mean; `others` are more that it could mean."""
-    known = {*letters, *others}
+    """What may be typed for letters of a scene, each with the only one that it can mean; `others` have a meaning of their own."""
     meant: dict[str, set[str]] = {}
-    for name in known:
+    for name in letters:
         for typed in near_spellings(name):
             meant.setdefault(typed, set()).add(name)
-    single = {typed: names.pop() for typed, names in meant.items() if typed not in known and len(names) == 1}
-    return {typed: name for typed, name in single.items() if name in letters}
+    known = {*letters, *others}
+    return {typed: names.pop() for typed, names in meant.items() if typed not in known and len(names) == 1}
 
 
 def near_spellings(name: str) -> Iterator[str]:
@@ -31,6 +31,9 @@ def near_spellings(name: str) -> Iterator[str]:
     if letter is None or letter.change or letter.prime or letter.dots or letter.of:
         return
     behind = name.removeprefix(letter.head)
+    if letter.word in AXES:  # of a component: F is not F_x
+        yield name.replace("_", "")
+        return
     heads = [letter.head, *([LOOKS_LIKE[letter.head]] if letter.head in LOOKS_LIKE else [])]
     for head in heads:
         yield from (other for other in (head, head + behind, head + behind.replace("_", "")) if other != name)

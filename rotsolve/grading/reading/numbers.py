@@ -275,7 +275,7 @@ def likely_number(parts: NumberAndUnit) -> bool:
     Of a rare unit, such as the megagram, the letters are likelier.
     """
     last, first = parts.number[-2], parts.unit[0]
-    if any(token.kind == "name" and token.text not in UNITS for token in parts.unit):
+    if any(token.text not in UNITS and unit_called(token.text) for token in parts.unit if token.kind == "name"):
         return False
     if any("." in token.text for token in parts.number):
         return True

@@ -32,8 +32,8 @@ _AGAIN = re.compile(
 _FIRST = re.compile(rf"[\s$]*(?P<name>{_NAME})[\s$]*{_EQUALS}")
 _SIGN = re.compile(r"[\s$]*(?:∴|⇒|⟹|→|=>|[-–]>|\\(?:Rightarrow|implies|therefore|to)(?![A-Za-z]))[\s$]*")
 _FIGURES = re.compile(
-    r"[\s,;]*\(?\s*(?:to|correct to|rounded to|auf)?\s*\d+\s*(?:s\.?\s?f|d\.?\s?p|sig(?:nificant)?\.?\s*fig(?:ure)?s?|significant figures|"
-    r"decimal places?|decimals)\.?\s*\)?\s*\.?\s*$",
+    r"(?<![\s,;(])[\s,;(]*(?:(?:correct |rounded )?to |auf )?\d+ ?(?:s\.?\s?f|d\.?\s?p|sig(?:nificant)?\.?\s*fig(?:ure)?s?|significant figures|"
+    r"decimal places?|decimals)[\s.)]*$",
     re.IGNORECASE,
 )
 SYNONYMS = {  # other words for what is asked
@@ -89,6 +89,9 @@ def without_prose(text: str, names: Names) -> str:
     figures = _FIGURES.search(text)
     if figures is not None and figures.start():
         text = text[: figures.start()].ljust(len(text))
+    value, _, behind = text.rpartition("=")
+    if any(char.isdigit() for char in value) and "=" not in value and names.is_asked(behind.strip(" $.")):
+        text = value.ljust(len(text))  # 3.13 m/s = v
     sign = _SIGN.match(text)
     at = sign.end() if sign is not None else 0
     said, last, says = "", at, False

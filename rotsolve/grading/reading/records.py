@@ -68,8 +68,9 @@ class Names(Struct, frozen=True, dict=True):
     def near_name(self, text: str) -> str:
         """The near letter with which a line tells what is asked for; '' where it has the letter itself, or none."""
         told = _TOLD.match(text)
-        exact = told is not None and (self.asked in spellings(told[1]) or told[1] in self.letters)
-        return "" if told is None or exact or not self.is_near(told[1]) else spellings(told[1])[0]
+        if told is None or self.asked in spellings(told[1]) or spelled_alike(told[1], self.asked):
+            return ""
+        return spellings(told[1])[0] if told[1] not in self.letters and self.is_near(told[1]) else ""
 
 
 def spelled_alike(typed: str, name: str) -> bool:

@@ -58,7 +58,9 @@ def unit_called(word: str) -> Unit | None:
 @lru_cache(REMEMBERED)
 def units_called(word: str) -> tuple[str, ...]:
     """The units that a short form stands for, with the marks between them: `mps` is m / s; nothing where it is none."""
-    meant = SHORT.get(word) or MEANT.get(word) or SHORT.get(word.lower()) or MEANT.get(word.lower())
+    meant = SHORT.get(word) or MEANT.get(word)
+    if meant is None and unit_called(word) is None:  # Kmh is km/h, but Qm is 10³⁰ m
+        meant = SHORT.get(word.lower()) or MEANT.get(word.lower())
     return tuple(MADE_OF.findall(meant)) if meant is not None else ()
 
 
@@ -77,7 +79,7 @@ def _by_symbols(word: str) -> Unit | None:
     """The unit of a prefix and a symbol: Mg, cm, µg; the Greek letter stands for the sign of micro."""
     plain = re.sub(r"^[μu](?=[A-Za-z])", "µ", word)
     for length in (1, 2):
-        prefix, symbol = plain[:length], plain[length:]
+        prefix, symbol = plain[:length], "L" if plain[length:] == "l" else plain[length:]
         found = _with_prefix(prefix, symbol) if prefix in POWERS else None
         if found is not None:
             return found
