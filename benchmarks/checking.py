@@ -1,5 +1,5 @@
-"""What it costs to judge a line of a student, once the scene is solved: reading it in all ways, and the verdict; and what a wrong line costs
-whose mistake is looked for.
+"""What it costs to judge a line of a student, once the scene is solved: reading it in all ways, and the verdict; of a wrong line, also to
+look for its mistake.
 
     python benchmarks/checking.py [--lines N] [--each N] [--seed S] [--write]
 
@@ -162,14 +162,18 @@ def measured(kind: str, asked: Sequence[Subject], lines: int, seed: int) -> list
 def slip_of_power(subject: Subject, random: Random) -> str:
     """A product of powers of the letters of an answer, as if it had been guessed."""
     letters = sorted(subject.closed.symbols())
-    return " ".join(f"{name}^{random.choice([-1, 1, 2])}" for name in random.sample(letters, random.randint(1, len(letters))))
+    return " ".join(
+        f"{name}^{random.choice([-1, 1, 2])}" for name in random.sample(letters, random.randint(1, len(letters)))
+    )
 
 
 def with_mistake(subject: Subject, random: Random, as_number: bool) -> str:
     """An answer to the scene with one of the known mistakes in it; where there is none, a slip."""
     found = [answers[subject.target.name] for _, answers in subject.mistaken if subject.target.name in answers]
     if as_number:
-        numbers = [f"{one.value.float:.5g} {one.unit.text if one.unit else ''}" for one in found if one.value is not None]
+        numbers = [
+            f"{one.value.float:.5g} {one.unit.text if one.unit else ''}" for one in found if one.value is not None
+        ]
         return random.choice(numbers or [quantity(subject, random)])
     forms = [one.closed for one in found if one.closed is not None and length(one.closed) <= LONGEST]
     return random.choice(STYLES)(random.choice(forms)) if forms else wrong(subject, random)

@@ -92,7 +92,7 @@ def same_slopes(left: Formula, right: Formula, domain: SampledRegion, depth: int
 
 
 def same_arcs(left: Formula, right: Formula, domain: SampledRegion) -> bool:
-    """Whether both formulas are equal with one arc put for others: √x arccos(1 − x/2) and 2 √x arcsin(√x/2), where all slopes hold arcs too."""
+    """Whether both formulas are equal with one arc put for others: √x arccos(1 − x/2) and 2 √x arcsin(√x/2), whose slopes hold arcs too."""
     arcs = dict.fromkeys(node for side in (right, left) for node in side.walk(*ARCS))
     if not 1 < len(arcs) <= MOST_ARCS:
         return False

@@ -1,7 +1,7 @@
-"""Raised: formulas with letters in exponents, x^(n + 1) and e^(−k t), and logarithms, as rational formulas in letters for powers and logarithms.
+"""Raised: formulas with letters in exponents, x^(n + 1) and e^(−k t), and logarithms, made rational in letters for powers and logarithms.
 
-What is raised to letters is positive where it has a value, so that (x y)^n is x^n y^n, ln xⁿ is n ln x, and x^(n + 1) is x xⁿ. Every base is
-cut into primes and irreducible polynomials and every exponent into its terms, so that each power of one by the other is one letter.
+What is raised to letters is positive where it has a value, so that (x y)^n is x^n y^n, ln xⁿ is n ln x, and x^(n + 1) is x xⁿ. Every base
+is cut into primes and irreducible polynomials and every exponent into its terms, so that each power of one by the other is one letter.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Raised:
             own = self.split(base) if base != EULER else [(EULER, Fraction(1))]
             logarithm = next((one for one in factors_of(term.product) if is_logarithm(one)), None)
             rest = term
-            if base == EULER and logarithm is not None:  # e^(n ln x) is x^n
+            if base == EULER and isinstance(logarithm, Call):  # e^(n ln x) is x^n
                 own = self.split(logarithm.arguments[0])
                 (rest,) = terms_of(term.product / logarithm)
                 rest = Term(term.number * rest.number, rest.product, rest.key)
@@ -140,11 +140,13 @@ def terms_of(formula: Formula) -> Iterator[Term]:
     under_key = tuple(sorted((monomial_key(field, place), number / size) for place, number in under.items()))
     for place, number in field.terms(above).items():
         product = monomial(field, place)
-        yield Term(Fraction(number) / size, product / low if low != ONE else product, (monomial_key(field, place), under_key))
+        yield Term(
+            Fraction(number) / size, product / low if low != ONE else product, (monomial_key(field, place), under_key)
+        )
 
 
 def normalised(field: Field, terms: Mapping[tuple[int, ...], int]) -> tuple[Fraction, Formula]:
-    """A number and a polynomial of which it is so many times: that whose first term, in an order that hangs on nothing else, has the factor 1."""
+    """A number and a polynomial: the terms are so many times the polynomial, whose first term (in an order of its own) has no factor."""
     first = min(terms, key=lambda place: monomial_key(field, place))
     size = Fraction(terms[first])
     parts = [Number(Fraction(number) / size) * monomial(field, place) for place, number in terms.items()]

@@ -115,7 +115,9 @@ class Texts:
         """The letters that an answer may hold, those of the scene and more, and how many components it has."""
         components = len(target.parts) // target.rows
         near = frozenset(typed for typed, name in self.letters.near.items() if name == target.name)
-        return Names(self.letters.givens | more, self.letters.told, target.name, components, self.nouns(target.name), near)
+        return Names(
+            self.letters.givens | more, self.letters.told, target.name, components, self.nouns(target.name), near
+        )
 
     @remembered
     def nouns(self, name: str) -> frozenset[str]:

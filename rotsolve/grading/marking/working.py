@@ -25,6 +25,7 @@ from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import definition
+from rotsolve.grading.reading.near import with_near
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, plain_width
 from rotsolve.grading.verdict import (
@@ -165,9 +166,9 @@ class WorkingJudge:
         except AnswerError as error:
             if not error.unknown:
                 raise
-            from rotsolve.grading.reading.near import with_near
-
-            near = {typed: name for typed, name in self.letters.near.items() if typed not in self.names(defined).letters}
+            near = {
+                typed: name for typed, name in self.letters.near.items() if typed not in self.names(defined).letters
+            }
             try:
                 readings = read_line(text, self.names((*defined, *near)))
             except AnswerError:

@@ -34,8 +34,12 @@ _PER_MARKS = {
     **dict.fromkeys(("squared", "zum Quadrat", "zum quadrat", "hoch zwei"), "^2"),
     **dict.fromkeys(("cubed", "hoch drei"), "^3"),
 }
-_SECONDS = re.compile(r"(?<=[\d\s/·*])secs?(?![A-Za-z])\.?(?=\s*(?:\^?\(?[-−]?\d\)?|[⁻²³¹]+)?\s*(?:$|[/;,)*·]|per\b|squared|cubed))")  # else the secant
-_SQUARE = re.compile(r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?))\b")
+_SECONDS = re.compile(  # else it is the secant
+    r"(?<=[\d\s/·*])secs?(?![A-Za-z])\.?(?=\s*(?:\^?\(?[-−]?\d\)?|[⁻²³¹]+)?\s*(?:$|[/;,)*·]|per\b|squared|cubed))"
+)
+_SQUARE = re.compile(
+    r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?))\b"
+)
 _CLAUSE = re.compile(
     r"(?:[,;(]|\b(?:with|where|for|taking|using|and)\b)\s*(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
 )

@@ -1,4 +1,4 @@
-"""Near letters: θ for the only θ₀ of a scene, F for F_low, w1 for ω₁: a letter that the scene does not have, and exactly one that it can mean."""
+"""Near letters: θ for the only θ₀ of a scene, F for F_low, w1 for ω₁: what is no letter of it, where exactly one can be meant."""
 
 from __future__ import annotations
 
@@ -17,26 +17,29 @@ LOOKS_LIKE = {"omega": "w"}  # what is typed for a Greek letter that no keyboard
 
 def near_letters(letters: Collection[str], others: Iterable[str] = ()) -> dict[str, str]:
     """What may be typed for letters of a scene, each with the only one that it can mean; `others` have a meaning of their own."""
-    meant: dict[str, set[str]] = {}
+    whole, bare = dict[str, set[str]](), dict[str, set[str]]()
     for name in letters:
-        for typed in near_spellings(name):
-            meant.setdefault(typed, set()).add(name)
+        for typed, indexed in near_spellings(name):
+            (whole if indexed else bare).setdefault(typed, set()).add(name)
     known = {*letters, *others}
+    meant = {**bare, **whole}  # w is ω, before it is ω₀
     return {typed: names.pop() for typed, names in meant.items() if typed not in known and len(names) == 1}
 
 
-def near_spellings(name: str) -> Iterator[str]:
-    """The letter without its index, the index without its underline, and with a look-alike for the Greek letter."""
+def near_spellings(name: str) -> Iterator[tuple[str, bool]]:
+    """The index without its underline, a look-alike for the Greek letter, and the letter without its index; whether it still has that."""
     letter = parts(name)
     if letter is None or letter.change or letter.prime or letter.dots or letter.of:
         return
     behind = name.removeprefix(letter.head)
     if letter.word in AXES:  # of a component: F is not F_x
-        yield name.replace("_", "")
+        yield name.replace("_", ""), True
         return
     heads = [letter.head, *([LOOKS_LIKE[letter.head]] if letter.head in LOOKS_LIKE else [])]
     for head in heads:
-        yield from (other for other in (head, head + behind, head + behind.replace("_", "")) if other != name)
+        yield from ((other, True) for other in {head + behind, head + behind.replace("_", "")} - {name})
+        if behind:
+            yield head, False
 
 
 def with_near(reading: LineReading, near: Mapping[str, str]) -> LineReading:

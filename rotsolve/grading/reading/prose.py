@@ -19,9 +19,13 @@ _LEADING = """
     ergebnis antwort betrag
 """
 LEADING = frozenset(_LEADING.split())  # words that say nothing of a value
-SAYS = frozenset(("is", "are", "equals", "ist", "sind", "beträgt", "be", "gives", "yields", "was"))  # what stands for `=`
+SAYS = frozenset(
+    ("is", "are", "equals", "ist", "sind", "beträgt", "be", "gives", "yields", "was")
+)  # what stands for `=`
 _WORD = re.compile(r"[A-Za-zäöüßÄÖÜ]+(?:['’-][A-Za-z]+)*")
-_JOIN = r"[,;:]|\.(?=\s)|→|⇒|⟹|⟶|=>|[-–]+>|∴|\\(?:Longr|R|r)ightarrow(?![A-Za-z])|\\(?:implies|to|therefore)(?![A-Za-z])"
+_JOIN = (
+    r"[,;:]|\.(?=\s)|→|⇒|⟹|⟶|=>|[-–]+>|∴|\\(?:Longr|R|r)ightarrow(?![A-Za-z])|\\(?:implies|to|therefore)(?![A-Za-z])"
+)
 _JOINING = r"so|hence|thus|therefore|then|giving|gives?|yields?|and|which|also|daher|somit|folglich"
 _EQUALS = r"(?:[=≈≃]|\\(?:approx|simeq)(?![A-Za-z]))"
 _NAME = r"\\?[^\W\d_](?:\w|\{[^{}]*\}|\\(?=[a-z]))*"
@@ -32,8 +36,8 @@ _AGAIN = re.compile(
 _FIRST = re.compile(rf"[\s$]*(?P<name>{_NAME})[\s$]*{_EQUALS}")
 _SIGN = re.compile(r"[\s$]*(?:∴|⇒|⟹|→|=>|[-–]>|\\(?:Rightarrow|implies|therefore|to)(?![A-Za-z]))[\s$]*")
 _FIGURES = re.compile(
-    r"(?<![\s,;(])[\s,;(]*(?:(?:correct |rounded )?to |auf )?\d+ ?(?:s\.?\s?f|d\.?\s?p|sig(?:nificant)?\.?\s*fig(?:ure)?s?|significant figures|"
-    r"decimal places?|decimals)[\s.)]*$",
+    r"(?<![\s,;(])[\s,;(]*(?:(?:correct |rounded )?to |auf )?\d+ ?"
+    r"(?:s\.?\s?f|d\.?\s?p|sig(?:nificant)?\.?\s*fig(?:ure)?s?|decimal places?|decimals)[\s.)]*$",
     re.IGNORECASE,
 )
 SYNONYMS = {  # other words for what is asked
@@ -74,7 +78,9 @@ def last_statement(text: str, names: Names) -> tuple[str, str]:
 
     `v² = 2 a h = 3.56 → v = 1.89 m/s`: the last that tells the name that is asked for.
     """
-    again = [match for match in _AGAIN.finditer(text) if names.is_asked(match["name"]) and _is_known(match["words"], names)]
+    again = [
+        match for match in _AGAIN.finditer(text) if names.is_asked(match["name"]) and _is_known(match["words"], names)
+    ]
     if not again:
         return text, ""
     first, start = _FIRST.match(text), again[-1].start("name")

@@ -20,7 +20,9 @@ _PARTS = _PREFIXES.split()
 POWERS = {symbol: int(power) for symbol, power in zip(_PARTS[1::3], _PARTS[2::3], strict=True)}  # of ten
 SYMBOLS = dict(zip(_PARTS[::3], _PARTS[1::3], strict=True))  # of prefixes by their names
 SYMBOLS |= {"deka": "da", "hekto": "h", "dezi": "d", "zenti": "c", "mikro": "µ", "piko": "p"}
-PREFIXED = frozenset(("m", "g", "s", "N", "J", "W", "Pa", "Hz", "rad", "L", "eV", "Wh", "cal", "bar"))  # what takes a prefix
+PREFIXED = frozenset(
+    ("m", "g", "s", "N", "J", "W", "Pa", "Hz", "rad", "L", "eV", "Wh", "cal", "bar")
+)  # what takes a prefix
 LARGE = {"t": ("k", "M")}  # a kilotonne, but no millitonne
 FULL = {  # the names of units in the singular, in small letters
     "meter": "m", "metre": "m", "gram": "g", "gramm": "g", "gramme": "g", "second": "s", "sekunde": "s", "newton": "N", "joule": "J",
