@@ -94,6 +94,9 @@ def test_words_round_a_value_change_nothing(words: str) -> None:
         "either a = 4.36 m/s²",
         "a is about twice 2.18 m/s²",
         "g is 4.36 m/s²",
+        "a = 4.36 m/s² so g = 9.8 m/s²",
+        "a ≠ 4.36 m/s²",
+        "2 a = 4.36 m/s²",
         "a = 4.36 m/s² is wrong",
         "if a = 4.36 m/s², T = 10.9 N",
     ],
@@ -170,7 +173,7 @@ def test_near_letters_are_told(name: str, text: str, outcome: str) -> None:
 def test_a_line_of_working_may_have_near_letters() -> None:
     right, wrong = marked(SPEEDUP, {}, ("alpha = (w2 - w1)/t", "alpha = (w2 + w1)/t")).lines
     assert (right.verdict.outcome, wrong.verdict.outcome) == (RIGHT, WRONG)
-    assert [remark.kind for remark in right.verdict.remarks] == ["letter"]
+    assert [remark.kind for remark in right.verdict.remarks] == ["letter", "letter"]
 
 
 # proofs

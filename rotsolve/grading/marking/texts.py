@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ONE, Formula, Symbol
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
@@ -295,7 +295,7 @@ class Texts:
 
 
 def exact_before_rounded(target: Target, found_in: list[JudgedText], text: str) -> JudgedText | None:
-    """What is found in `√10 m/s ≈ 3.2 m/s`: an exact value that is right is the answer, whatever figures its rounded one has."""
+    """What is found in `√10 m/s ≈ 3 m/s`: an exact value or a formula that is right is the answer, whatever figures its rounded one has."""
     *_, exact, rounded = found_in
     if target.whole is None or exact.reading is None or rounded.reading is None or not _is_about(text):
         return None
@@ -303,9 +303,10 @@ def exact_before_rounded(target: Target, found_in: list[JudgedText], text: str) 
     unit = typed.unit or value.unit or target.whole.unit
     flaws = set(exact.finding.flaws) - ({UNIT} if typed.unit is not None else set())
     right = (exact.finding.right or exact.finding.flaws) and not flaws
-    if not right or value.kind != NUMBER or value.figures is not None or value.formula is None or typed.formula is None:
+    if not right or value.figures is not None or value.formula is None or typed.kind != NUMBER or typed.formula is None:
         return None
-    number = certified_number(value.formula * (value.unit or unit).factor / unit.factor, {})
+    factor = (value.unit or unit).factor if value.kind == NUMBER else ONE
+    number = certified_number(value.formula * factor / unit.factor, target.whole.values)
     if not unit.dimension.matches(target.whole.dimension) or number is None:
         return None
     if not rounds_to(Typed(typed.formula, typed.figures), number):

@@ -27,7 +27,7 @@ _ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
 _IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|(?<=\s)is\b)(?=\s*\S)")
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
 _PER = re.compile(  # metres per second squared
-    r"(?<=[A-Za-z²³Å])(?P<blank>\s+)(?P<word>per|pro|je|squared|cubed|zum [Qq]uadrat|hoch zwei|hoch drei)\b"
+    r"(?<=[A-Za-z²³Å\d])(?P<blank>\s+)(?P<word>per|pro|je|squared|cubed|zum [Qq]uadrat|hoch zwei|hoch drei)\b"
 )
 _PER_MARKS = {
     **dict.fromkeys(("per", "pro", "je"), "/"),
@@ -72,7 +72,9 @@ _NAME = r"\\?[^\W\d_][\w{}\\]*(?:\(t\))?"
 _ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
 _SET = str.maketrans("", "", "\\{}$ ")  # what only says how letters are set: \omega_{0} is omega_0
 # `a = 3 m/s², T` before another `=`
-_NEXT_ANSWER = re.compile(rf"(?:[,;\n]|\b(?:and|or|und|oder)\b|&|\\\\)\s*\$?\s*{_NAME}\s*$")
+_NEXT_ANSWER = re.compile(
+    rf"(?:[,;\n]|\b(?:and|or|so|hence|thus|then|therefore|und|oder)\b|&|\\\\)\s*\$?\s*{_NAME}\s*$"
+)
 CALLED = tuple(FUNCTION_NAMES)  # in the brackets behind them commas part arguments
 
 
