@@ -99,7 +99,7 @@ def same_arcs(left: Formula, right: Formula, domain: SampledRegion) -> bool:
     kept: list[Formula] = []
     put: dict[Formula, Formula] = {}
     for arc in arcs:
-        told = next((other for other in told_by(arc, kept) if close_everywhere(other, arc, domain, NOTHING)), None)
+        told = next((other for other in multiples_of(arc, kept) if close_everywhere(other, arc, domain, NOTHING)), None)
         if told is not None and same_slopes(told, arc, domain):
             put[arc] = told
         else:
@@ -108,7 +108,7 @@ def same_arcs(left: Formula, right: Formula, domain: SampledRegion) -> bool:
     return bool(put) and same_powers(sides[0], sides[1], domain)
 
 
-def told_by(arc: Formula, others: list[Formula]) -> Iterator[Formula]:
+def multiples_of(arc: Formula, others: list[Formula]) -> Iterator[Formula]:
     """What an arc may be in terms of others: k times one of them, and right angles."""
     for other in others:
         for times in MULTIPLES:

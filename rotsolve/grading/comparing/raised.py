@@ -22,7 +22,7 @@ EULER = Call("exp", (ONE,))
 Key = tuple[Any, ...]
 
 
-class Term(Struct, frozen=True):
+class Summand(Struct, frozen=True):
     """A rational number times a product: `key` is the same for equal products, however they were written."""
 
     number: Fraction
@@ -54,19 +54,19 @@ class Raised:
     def raised(self, base: Formula, exponent: Formula) -> Formula:
         """A base to a power, as a product of letters and of powers with numbers."""
         result: Formula = ONE
-        for term in terms_of(exponent):
+        for term in summands_of(exponent):
             own = self.split(base) if base != EULER else [(EULER, Fraction(1))]
-            logarithm = next((one for one in factors_of(term.product) if is_logarithm(one)), None)
+            logarithm = next((one for one in factors_in(term.product) if is_logarithm(one)), None)
             rest = term
             if base == EULER and isinstance(logarithm, Call):  # e^(n ln x) is x^n
                 own = self.split(logarithm.arguments[0])
-                (rest,) = terms_of(term.product / logarithm)
-                rest = Term(term.number * rest.number, rest.product, rest.key)
+                (rest,) = summands_of(term.product / logarithm)
+                rest = Summand(term.number * rest.number, rest.product, rest.key)
             for part, times in own:
                 result = result * self.power(part, times, rest)
         return result
 
-    def power(self, base: Formula, times: Fraction, term: Term) -> Formula:
+    def power(self, base: Formula, times: Fraction, term: Summand) -> Formula:
         """A base that is not split any more, to so many times a term."""
         size = times * term.number
         if term.product == ONE:
@@ -125,11 +125,11 @@ def is_logarithm(node: Formula) -> bool:
     return isinstance(node, Call) and node.function == "log"
 
 
-def factors_of(product: Formula) -> tuple[Formula, ...]:
+def factors_in(product: Formula) -> tuple[Formula, ...]:
     return product.factors if isinstance(product, Product) else (product,)
 
 
-def terms_of(formula: Formula) -> Iterator[Term]:
+def summands_of(formula: Formula) -> Iterator[Summand]:
     """The terms of a formula, each a number times a product over one denominator."""
     field = Field([formula])
     above, below = field.cancel(field.convert(formula))
@@ -139,8 +139,8 @@ def terms_of(formula: Formula) -> Iterator[Term]:
     size, low = normalised(field, under)
     under_key = tuple(sorted((monomial_key(field, place), number / size) for place, number in under.items()))
     for place, number in field.terms(above).items():
-        product = monomial(field, place)
-        yield Term(
+        product = at_powers(field, place)
+        yield Summand(
             Fraction(number) / size, product / low if low != ONE else product, (monomial_key(field, place), under_key)
         )
 
@@ -149,11 +149,11 @@ def normalised(field: Field, terms: Mapping[tuple[int, ...], int]) -> tuple[Frac
     """A number and a polynomial: the terms are so many times the polynomial, whose first term (in an order of its own) has no factor."""
     first = min(terms, key=lambda place: monomial_key(field, place))
     size = Fraction(terms[first])
-    parts = [Number(Fraction(number) / size) * monomial(field, place) for place, number in terms.items()]
+    parts = [Number(Fraction(number) / size) * at_powers(field, place) for place, number in terms.items()]
     return size, parts[0] if len(parts) == 1 else Sum(tuple(parts))
 
 
-def monomial(field: Field, place: tuple[int, ...]) -> Formula:
+def at_powers(field: Field, place: tuple[int, ...]) -> Formula:
     result: Formula = ONE
     for atom, power in zip(field.atoms, place, strict=True):
         if power:

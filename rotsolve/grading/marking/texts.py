@@ -21,7 +21,7 @@ from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Definitions, clause
 from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
-from rotsolve.grading.reading.prose import last_statement, without_prose, words_of
+from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, Remark, found
@@ -125,7 +125,7 @@ class Texts:
         finds = [find for find in self.letters.problem.finds if find.group == name]
         paths = [term.path for find in finds for term in find.terms]
         whose = [word for path in paths for word in (path.owner, path.point or "", path.quantity)]
-        return words_of(*whose, *(term.modifier for find in finds for term in find.terms))
+        return nouns_for(*whose, *(term.modifier for find in finds for term in find.terms))
 
     def _names_components(self, target: Target, text: str) -> bool:
         """Whether a text tells a vector or matrix by the names of its components."""

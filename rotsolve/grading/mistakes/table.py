@@ -171,6 +171,7 @@ class Tried(Struct, frozen=True, dict=True):
     """A mistake that was tried in a scene: the answers that it changes, None where it changes none, and what was asked of numbers."""
 
     mistake: Mistake
+    place: int  # among those of its kind
     answers: Mapping[str, Answer] | None
     scene: Scene
     witness: Witness
@@ -181,14 +182,14 @@ class Tried(Struct, frozen=True, dict=True):
         oracle = SignOracle(self.scene.whole.values)
         return {item: oracle.by_numbers(item) or 0 for item in self.witness.asked}
 
-    def holds_for(self, signs: Signs) -> bool:
+    def holds_for(self, signs: VariantSigns) -> bool:
         """Whether other numbers lead the same way: all have the same signs, and no more than these decided."""
         if self.mistake.change.reread:
             return True
         return not self.witness.by_size and all(signs.of(item) == sign for item, sign in self.signs.items())
 
 
-class Signs:
+class VariantSigns:
     """The signs of numbers in one variant of a problem, each worked out once."""
 
     def __init__(self, problem: Problem) -> None:
@@ -211,7 +212,7 @@ class WrongAnswers:
     def __init__(self, rest: Iterator[Tried]) -> None:
         self._found: list[Tried] = []
         self._rest = rest
-        self._anew: dict[str, list[Tried]] = {}  # those solved again for other numbers, by their words
+        self._anew: dict[tuple[str, int], list[Tried]] = {}  # those solved again for other numbers, by kind and place
 
     @classmethod
     def of(cls, problem: Problem, point: Point = MappingProxyType({})) -> WrongAnswers:
@@ -236,45 +237,47 @@ class WrongAnswers:
         return WrongAnswers(self._with_values(problem))
 
     def _with_values(self, problem: Problem) -> Iterator[Tried]:
-        signs, allowance = Signs(problem), Allowance(STEPS)
+        signs, allowance = VariantSigns(problem), Allowance(STEPS)
         for one in self.tried():
-            others = self._anew.setdefault(one.mistake.words, [])
+            others = self._anew.setdefault((one.mistake.name, one.place), [])
             like = next((other for other in (one, *others) if other.holds_for(signs)), None)
             if like is None:
-                like = tried_again(one, Scene(problem, one.scene.point), allowance)
+                like = try_again(one, Scene(problem, one.scene.point), allowance)
                 others.append(like)
             answers = like.scene.with_values(like.mistake, like.answers or {}, problem.values)
-            yield replace(one, answers=answers)
+            yield replace(like, answers=answers)
 
 
-def tried(mistake: Mistake, scene: Scene, allowance: Allowance, right: Witness) -> Tried:
+def try_mistake(mistake: Mistake, place: int, scene: Scene, allowance: Allowance, right: Witness) -> Tried:
     """A mistake tried in a scene whose right answers hang on some numbers, with half of the work that is left at most."""
     with witnessed() as witness:
         pass_on(right)
-        answers = within(allowance, partial(scene.with_mistake, mistake))
-    return Tried(mistake, answers, scene, witness)
+        answers = allowed(allowance, partial(scene.with_mistake, mistake))
+    return Tried(mistake, place, answers, scene, witness)
 
 
-def tried_again(one: Tried, scene: Scene, allowance: Allowance) -> Tried:
+def try_again(one: Tried, scene: Scene, allowance: Allowance) -> Tried:
     """The same mistake in the scene with other numbers; without answers where it can't be made there."""
     kind = next(kind for kind in MISTAKES if kind.name == one.mistake.name)
     with witnessed() as witness:
-        twins = within(allowance, lambda: [twin for twin in kind.mistakes(scene) if twin.words == one.mistake.words])
+        twins = allowed(
+            allowance, lambda: scene.settled and list(islice(kind.mistakes(scene), one.place, one.place + 1))
+        )
     if not twins:
-        return Tried(one.mistake, None, scene, witness)
-    return tried(twins[0], scene, allowance, witness)
+        return Tried(one.mistake, one.place, None, scene, witness)
+    return try_mistake(twins[0], one.place, scene, allowance, witness)
 
 
 def tried_mistakes(scene: Scene) -> Iterator[Tried]:
     """The mistakes of a scene as far as the work for them is allowed."""
     allowance, left = Allowance(STEPS), MOST_TRIED
     with witnessed() as right:
-        settled = within(allowance, lambda: scene.settled and bool(scene.answers))
+        settled = allowed(allowance, lambda: scene.settled and bool(scene.answers))
     for kind in MISTAKES if settled else ():
         given: list[Mapping[str, Answer]] = []
-        for mistake in islice(kind.mistakes(scene), left):
+        for place, mistake in enumerate(islice(kind.mistakes(scene), left)):
             left -= 1
-            one = tried(mistake, scene, allowance, right)
+            one = try_mistake(mistake, place, scene, allowance, right)
             if one.answers is not None and any(same_answers(one.answers, other) for other in given):
                 one = replace(one, answers=None)
             elif one.answers is not None:
@@ -282,7 +285,7 @@ def tried_mistakes(scene: Scene) -> Iterator[Tried]:
             yield one
 
 
-def within(allowance: Allowance, work: Callable[[], Done]) -> Done | None:
+def allowed(allowance: Allowance, work: Callable[[], Done]) -> Done | None:
     """What comes of a piece of work; None where it takes more than half of what is left."""
     try:
         with allowance.used(parts=2):

@@ -66,7 +66,7 @@ SYNONYMS = {  # other words for what is asked
 }
 
 
-def words_of(*names: str) -> frozenset[str]:
+def nouns_for(*names: str) -> frozenset[str]:
     """The words of which names are made, `angular_velocity` or `left_string`, and others for the same."""
     own = {word for name in names for word in re.findall(r"[a-z]+", name.lower())}
     more = {word for name in (*names, *own) for word in SYNONYMS.get(name, "").split()}
