@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.core.derivation import AnswerConfirmation
     from rotsolve.core.limits import Limit
+    from rotsolve.search.acting import ActingWays
     from rotsolve.search.complete import FollowedCourses
 
 DIGITS, MOST_DIGITS = 4, 1000
@@ -359,10 +360,18 @@ def solved_by_cases(
 
     cases = [replace(case, fault=fairly_refused(case.fault, case.point, problem, law)) for case in cases]
     points = tuple(case.point for case in cases if case.found is not None and not case.objected)
-    trace = replace(solutions[0].trace, points=points)
+    told = [one for one in solutions if any(case.found is one.derivation for case in cases)] or solutions[:1]
+    trace = replace(solutions[0].trace, points=points, acting=lambda: in_all_cases(told))
     with at_most(None):  # what has been found is told
         derivation = with_cases(cases, Edges(space, solve, confirming), more=more)
     return replace(solutions[0], problem=problem, derivation=derivation, trace=trace)
+
+
+def in_all_cases(solutions: Sequence[Solution]) -> ActingWays | None:
+    """What tells which way forces act in all cases of letters; it is loaded when a picture asks."""
+    from rotsolve.search.acting import all_cases
+
+    return all_cases([solution.trace.acting() for solution in solutions])
 
 
 def refuse_no_verge(solution: Solution, problem: Problem, trial: Mapping[str, Formula]) -> None:

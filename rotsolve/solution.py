@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Problem
+    from rotsolve.search.acting import ActingWays
 
 
 class Trace(Struct, frozen=True):
@@ -40,7 +41,7 @@ class Trace(Struct, frozen=True):
     # the solution in letters of the case that some numbers are of, and the signs that it took
     case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
-    forward: frozenset[str] = frozenset()  # whose friction acts the way in which its body is counted
+    acting: Callable[[], ActingWays | None] = lambda: None  # what tells which way forces act
     by_law: Callable[[str], Derivation] | None = None  # the same questions by another law
     letter: Callable[[str], Formula | float | None] | None = None  # what a letter of the laws is, if only aside
     # other roots for a letter of the scene, if only on the way
@@ -149,7 +150,7 @@ class PictureView(Struct, frozen=True):
 
     problem: Problem
     state: str = ""
-    forward: frozenset[str] = frozenset()
+    acting: Callable[[], ActingWays | None] = lambda: None
 
     def at(self, state: str) -> PictureView:
         """The same scene at another state."""
@@ -173,11 +174,11 @@ class PictureView(Struct, frozen=True):
 
     @property
     def free_bodies(self) -> str:
-        """The free-body diagrams as SVG."""
+        """The free-body diagrams as SVG: at the states of which the scene asks, unless another is named."""
         from rotsolve.draw.paper.svg import svg
         from rotsolve.draw.pictures import free_body_picture
 
-        return svg(free_body_picture(self.problem, self.state, self.forward))
+        return svg(free_body_picture(self.problem, self.state, self.acting()))
 
     def _repr_svg_(self) -> str:
         return self.svg
@@ -333,7 +334,7 @@ class Solution(Struct, frozen=True, dict=True):
     @property
     def picture(self) -> PictureView:
         """The picture of the scene, which a notebook shows."""
-        return PictureView(self.problem, forward=self.trace.forward)
+        return PictureView(self.problem, acting=self.trace.acting)
 
     def __repr__(self) -> str:
         return f"<Solution of {self.derivation.title!r}: {', '.join(self.answers)}>"

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
+    from rotsolve.search.acting import ActingWays
     from rotsolve.search.friction import Decision
 
 
@@ -271,6 +272,13 @@ def solved_for(letter: str, search: Search) -> Formula | float | None:
     return found.formula or (None if found.number is None else found.number.float)
 
 
+def ways_by(searches: tuple[Search, ...]) -> ActingWays:
+    """What tells which way forces act; it is loaded when a picture asks."""
+    from rotsolve.search.acting import ActingWays
+
+    return ActingWays(searches)
+
+
 def other_roots(letter: str, search: Search) -> tuple[Formula, ...]:
     """The roots beside that which the answers make of a letter of the scene, if only aside."""
     own = search if letter in search.solver.solved else search.beside_by(families_for(None))
@@ -318,7 +326,7 @@ def composed(
         lambda: validity_of(search),
         lambda: meanings_of(composer),
         idle=idle,
-        forward=search.scene.configuration.forward,
+        acting=lambda: ways_by((search,)),
         by_law=lambda law: solved(problem, search.scene.configuration, law, digits, at).derivation,
         letter=lambda letter: solved_for(letter, search),
         others=lambda letter: other_roots(letter, search),

@@ -8,8 +8,8 @@ from __future__ import annotations
 import sys
 from typing import NoReturn
 
-from rotsolve.lean import leave_out
-from rotsolve.process import end_at_once, leave_after, orderly, page_width
+from rotsolve.lean import keep_together, leave_out, take_together
+from rotsolve.process import SOLVED, end_at_once, leave_after, orderly, page_width
 
 
 def process() -> NoReturn:
@@ -46,15 +46,19 @@ def no_options(*words: str) -> bool:
 def solve_at_once(files: list[str], *, confirm: bool = True) -> NoReturn:
     """`rotsolve solve FILES…`, all else by default."""
     with orderly():
+        take_together()
         from rotsolve.run import SolveRequest, solve_files
 
         code = solve_files(SolveRequest(tuple(files), width=page_width(None), confirm=confirm))
+    if code == SOLVED and confirm:
+        keep_together()
     sys.exit(code)
 
 
 def check_at_once(problem: str, answers: str, *typed: str) -> NoReturn:
     """`rotsolve check PROBLEM ANSWERS` or `--answer TEXT`, all else by default."""
     with orderly():
+        take_together()
         from rotsolve.grading.course.command import CheckRequest, run_check
 
         code = run_check(CheckRequest(problem, answers, typed, width=page_width(None)))

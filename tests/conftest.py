@@ -75,8 +75,7 @@ def lists() -> dict[str, str]:
     """What stands for each name between braces, the longest first."""
     from rotsolve.cli.solve import LAWS
     from rotsolve.core.quantity import BODY, QUANTITIES
-    from rotsolve.elements.connections import CONNECTIONS
-    from rotsolve.elements.shapes import SHAPES
+    from rotsolve.elements.tables import CONNECTIONS, SHAPES
     from rotsolve.page.formats import FORMATS
 
     found = {

@@ -16,11 +16,7 @@ from fractions import Fraction
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.elements.actions import ACTIONS
-from rotsolve.elements.connections import CONNECTIONS
-from rotsolve.elements.events import EVENTS
-from rotsolve.elements.shapes import SHAPES
-from rotsolve.elements.surfaces import SURFACES
+from rotsolve.elements.tables import ACTIONS, CONNECTIONS, EVENTS, SHAPES, SURFACES
 from rotsolve.language.keys import keys_of
 from trials.scene import Scene, changed, named
 

@@ -6,11 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from rotsolve.core.quantity import ACTION, BODY, EVENT, LINK, POINT, QUANTITIES, SYSTEM, QuantityKind
-from rotsolve.elements.actions import ACTIONS
-from rotsolve.elements.connections import CONNECTIONS
-from rotsolve.elements.events import EVENTS
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import ACTIONS, CONNECTIONS, EVENTS, SHAPES
 from rotsolve.language.keys import Key, keys_of
+from rotsolve.language.kinds import Kinds
 from trials.case import Case
 from trials.draw import Draw
 from trials.scene import Scene, changed, read
@@ -266,7 +264,7 @@ class Builder:
 
     def words(self, owner: str, name: str) -> tuple[str, ...]:
         """The quantities of a connection, an action or an event."""
-        tables: dict[str, tuple[str, list[Any]]] = {
+        tables: dict[str, tuple[str, Kinds[Any]]] = {
             LINK: ("connections", CONNECTIONS),
             ACTION: ("actions", ACTIONS),
             EVENT: ("events", EVENTS),

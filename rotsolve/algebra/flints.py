@@ -30,18 +30,17 @@ def _load(names: tuple[str, ...]) -> list[ModuleType]:
             del sys.modules["flint"]
 
 
-_pyflint, _fmpz, _fmpq, _arb, _acb, _mpoly = _load(
-    ("pyflint", "types.fmpz", "types.fmpq", "types.arb", "types.acb", "types.fmpz_mpoly")
-)
+_pyflint, _fmpz, _fmpq, _arb, _mpoly = _load(("pyflint", "types.fmpz", "types.fmpq", "types.arb", "types.fmpz_mpoly"))
 context = _pyflint.ctx
 fmpz = _fmpz.fmpz
 fmpq = _fmpq.fmpq
 arb = _arb.arb
-acb = _acb.acb
 fmpz_mpoly = _mpoly.fmpz_mpoly
 fmpz_mpoly_ctx = _mpoly.fmpz_mpoly_ctx
 
 
-def univariate() -> Any:
-    """The type of polynomials in one letter, loaded where it is asked for: few scenes need it."""
-    return _load(("types.fmpz_poly",))[0].fmpz_poly
+def __getattr__(name: str) -> Any:
+    """What few scenes need, loaded where it is asked for: complex balls (acb), and polynomials in one letter (fmpz_poly)."""
+    if name not in ("acb", "fmpz_poly"):
+        raise AttributeError(name)
+    return getattr(_load((f"types.{name}",))[0], name)

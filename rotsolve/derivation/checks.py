@@ -18,7 +18,6 @@ from rotsolve.derivation.second_law import second_law_checks
 from rotsolve.language.problem import TimeValue
 from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
 from rotsolve.search.consistency import KnownBalls
-from rotsolve.search.openings import stops
 from rotsolve.search.search import Search
 
 
@@ -76,6 +75,8 @@ def beside_each_other(search: Search, letters: Letters) -> Iterator[Check]:
 
 def held_or_taken_along(travel: Travel, passage: Passage, search: Search) -> bool:
     """Whether friction holds a body that nothing moves from rest, or what moves or is pushed takes it along."""
+    from rotsolve.search.openings import stops
+
     scene, state = search.scene, passage.start.state
     own = [rub for rub in rubs_at(scene.configuration, state) if rub.body == travel.body]
     modes = [(rub, scene.modes.get(rub.key, STICKS if rub.item is not None else "")) for rub in own]

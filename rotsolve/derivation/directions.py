@@ -10,7 +10,6 @@ from rotsolve.algebra.exact.normal import Fractions, is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, Symbol, negate
 from rotsolve.core.derivation import Answer, Words
 from rotsolve.core.registry import SceneQuantity
-from rotsolve.motion.limits import limits_of_scene
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
 
@@ -67,6 +66,8 @@ class Directions:
 
     def _limited(self, value: Formula) -> int | None:
         """The sign of a difference of which the scene says that it is more than nothing, as that of an outer and an inner radius."""
+        from rotsolve.motion.limits import limits_of_scene
+
         gaps = [limit.gap for limit in limits_of_scene(self.search.scene.configuration) if limit.strict]
         return next((sign for gap in gaps for sign in (1, -1) if is_zero(gap - sign * value)), None)
 

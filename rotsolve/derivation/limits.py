@@ -17,7 +17,6 @@ from rotsolve.core.letters import Given
 from rotsolve.core.symbols import ACCELERATIONS, has_quantities, is_key, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.insights import energy_at, weight_in
-from rotsolve.derivation.ranges import in_proportion
 from rotsolve.language.problem import Body, Path, Term
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
@@ -184,4 +183,8 @@ def spread_bodies(name: str, search: Search) -> Iterator[Body]:
 def spreads(given: Given, search: Search) -> bool:
     """Whether a letter is the pure number of a moment of inertia, which tells how far out the mass lies."""
     held = [body.inertia for body in spread_bodies(given.name, search) if body.inertia is not None]
-    return given.dimension == NONE and bool(held) and all(in_proportion(inertia, given.name) for inertia in held)
+    if not held or given.dimension != NONE:
+        return False
+    from rotsolve.derivation.ranges import in_proportion
+
+    return all(in_proportion(inertia, given.name) for inertia in held)

@@ -13,7 +13,6 @@ from rotsolve.core.facts import STANDS, TAUT, TOUCHES, Requirement
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.requirements import bodies_used, margin_of, sign_of, values_sought
 from rotsolve.motion.rubs import STICKS, Rub, rubs_at
-from rotsolve.search.gripping import contact_forces
 from rotsolve.search.planning import families_for
 
 if TYPE_CHECKING:
@@ -58,6 +57,8 @@ def shared_bound(place: str, grips: Sequence[Requirement], search: Search) -> Re
 
     None where it does not, as of a ladder on a wall, where how hard each is pressed goes by the shares.
     """
+    from rotsolve.search.gripping import contact_forces
+
     forces = [force for body in search.scene.facts(place).bodies for force in body.forces]
     rubbing = [contact_forces(need.owner, forces)[0] for need in grips]
     first = rubbing[0]

@@ -344,6 +344,3 @@ def across(on: PointRef, arm: Vector, turn: int, instant: Moment) -> tuple[Vecto
 def turn_sense(direction: Direction | None, natural: int) -> int:
     """+1 for a counterclockwise turn, −1 for a clockwise one; the natural one where the direction says neither."""
     return {"clockwise": -1, "counterclockwise": 1}.get(str(direction), natural)
-
-
-ACTIONS: list[type[Action]] = [AppliedForce, AppliedCouple, Press, Band, AppliedPower]

@@ -27,11 +27,12 @@ from rotsolve.core.facts import (
 from rotsolve.core.faults import UNSOLVED, Unsolvable
 from rotsolve.core.vectors.heading import DOWN, NOWHERE, RIGHT, Heading, Vector, unit
 from rotsolve.core.writing import is_negative, spoken
-from rotsolve.elements.connections.touch import Friction, contact_arm
+from rotsolve.elements.connections.touch import contact_arm
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.elements.surfaces import Level
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
+from rotsolve.language.friction import Friction
 from rotsolve.language.keys import amount, key
 
 
@@ -171,6 +172,9 @@ class Bounces(Collides, frozen=True):
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return (self.struck,)
+
+    def bounced_off(self) -> tuple[PointRef, Surface | None]:
+        return self.struck, self.surface
 
     def of_centres(self) -> Collides:
         against, own = centre_instead(self.against), centre_instead(self.struck)

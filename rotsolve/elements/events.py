@@ -11,7 +11,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, Direction, Vector, pointing, unit
 from rotsolve.core.writing import and_joined, spoken
 from rotsolve.elements.actions import SQUARE, across, aimed, turn_sense
-from rotsolve.elements.collisions import Collides, called, whereabouts
+from rotsolve.elements.collisions import called, whereabouts
 from rotsolve.elements.connections.supports import GROUND, Axis, Hinge
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import rim_radius
@@ -282,6 +282,3 @@ def aimed_in_words(direction: Direction | None) -> Words:
     if isinstance(direction, Formula):
         return (", at ", direction)
     return (", along ", *direction_in_words(direction))
-
-
-EVENTS: list[type[Event]] = [Joins, Collides, Impulse, Cuts, Removes, Fixes, Grips]

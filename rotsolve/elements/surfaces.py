@@ -204,6 +204,3 @@ class Post(Surface, frozen=True):
 class Track(Curved, frozen=True):
     word = "profile unknown"
     about = "a smooth track of which only heights matter: `track: profile unknown`"
-
-
-SURFACES: list[type[Surface]] = [Level, Slope, Wall, Corner, Hollow, Wire, Dome, Post, Track]

@@ -129,7 +129,6 @@ class Coupling(Struct, frozen=True):
 class Surface(Element, frozen=True):
     """Base of all surfaces."""
 
-    word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     later: ClassVar[bool] = False
     planar: ClassVar[bool] = True

@@ -153,7 +153,6 @@ class LetterMaker(Protocol):
 class ActingElement(Element, frozen=True):
     """Base of all that acts on bodies. `quantities` can be asked of it."""
 
-    word: ClassVar[str] = ""
     instead: ClassVar[str] = ""  # how scenes in space say the same, where they do not have it
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
@@ -451,7 +450,6 @@ class Connection(ActingElement, frozen=True):
 class Event(Element, frozen=True):
     """Base of all events: the state before and the state after. `bodily` marks one that is about bodies alone."""
 
-    word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     quantities: ClassVar[tuple[str, ...]] = ()
     quantities_in_space: ClassVar[tuple[str, ...]] = ()
@@ -490,6 +488,10 @@ class Event(Element, frozen=True):
     def met(self) -> tuple[str, ...]:
         """What comes together in it, bodies and what is fixed."""
         return ()
+
+    def bounced_off(self) -> tuple[PointRef, Surface | None] | None:
+        """Which point strikes a surface, or something fixed in its way: None for that; nothing where no bounce is told off either."""
+        return None
 
     def of_centres(self) -> Event:
         """The same event as if bodies met with their centres of mass."""

@@ -77,6 +77,7 @@ class Declared(StructMeta):
 class Element(Noted, metaclass=Declared, frozen=True):
     """Base of all that a scene is built of: a record whose fields declare YAML keys."""
 
+    word: ClassVar[str] = ""  # by which a scene calls it
     declared: ClassVar[dict[str, Key]]  # by the name of the field
     pointed: ClassVar[tuple[str, ...]]  # the fields that hold several points
     variable: ClassVar[tuple[str, ...]]  # the fields whose values may vary

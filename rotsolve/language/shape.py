@@ -37,7 +37,6 @@ class Bow(Struct, frozen=True):
 class Shape(Element, frozen=True):
     """Base of all shapes. `points` are the names of its points, beside `cm` and those that the scene names."""
 
-    word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     points: ClassVar[tuple[str, ...]] = ("center",)
     later: ClassVar[bool] = False

@@ -13,10 +13,9 @@ from rotsolve.core.symbols import paths_in
 from rotsolve.core.vectors.heading import NOWHERE, Vector
 from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import ActingElement, Action, Connection
+from rotsolve.language.elements import ActingElement, Action, Connection, Event
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.corners import refuse_untold
 from rotsolve.motion.rigid import centre_of_mass, locate, pieces, rim_centre, tidy
 
 TURNS = ("angular_velocity", "angular_acceleration", "angular_momentum", "rotation", "turns", "torque")
@@ -37,9 +36,16 @@ def check(problem: Problem) -> None:
     for connection in problem.connections:
         check_rooms(connection, scene)
     for event in problem.events:
-        event.check(scene)
-        for ref in (ref for item in event.adds() for ref in item.fixed_points()):
-            refuse_untold(ref, event.from_ or "", scene)
+        check_event(event, scene)
+
+
+def check_event(event: Event, scene: Configuration) -> None:
+    """An event with what it holds from then on."""
+    from rotsolve.motion.corners import refuse_untold
+
+    event.check(scene)
+    for ref in (ref for item in event.adds() for ref in item.fixed_points()):
+        refuse_untold(ref, event.from_ or "", scene)
 
 
 def check_rooms(item: Connection, scene: Configuration) -> None:

@@ -14,8 +14,7 @@ from rotsolve.core.drive import Drive
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import TIME, has_quantities, paths_in
-from rotsolve.elements.connections import guide
-from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
+from rotsolve.elements.shapes import Particle, Shape, shape_of
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
@@ -108,9 +107,18 @@ def completed(problem: Problem) -> Problem:
         )
     if problem.states:
         versions(bodies, problem.states)  # refuses what can't differ between states
-    guides = [guide(body) for body in bodies if body.moved]
-    connections = (*[item.completed(letters, held) for item in problem.connections], *guides)
+    connections = (*[item.completed(letters, held) for item in problem.connections], *_guides(bodies))
     return replace(problem, bodies=tuple(bodies), connections=connections, givens=(*problem.givens, *letters.made))
+
+
+def _guides(bodies: list[Body]) -> list[Connection]:
+    """What drives the bodies whose motions are prescribed."""
+    driven = [body for body in bodies if body.moved]
+    if not driven:
+        return []
+    from rotsolve.elements.connections.drives import guide
+
+    return [guide(body) for body in driven]
 
 
 def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body:
@@ -125,6 +133,8 @@ def complete_body(body: Body, letters: MadeLetters, wheel: bool = False) -> Body
     ):  # in space the point stays that of the scene
         return body if mass is not None else replace(body, mass=letters.make("m", body.name, "mass"))
     if body.density is not None and shape is not None and has_quantities(body.density):
+        from rotsolve.elements.shapes.integrated import Graded
+
         shape = Graded(letters.positive, shape, body.density)
         mass = body.mass or shape.measure()
     elif body.density is not None and shape is not None and mass is None:

@@ -19,7 +19,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.facts import INNER, WEIGHT, BodyFacts, Couple, Cut, Force, Inertia, Motion
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Vector, unit, vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.shapes import Rod
+from rotsolve.elements.shapes.thin import Rod
 from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.motion.rigid import RigidPiece, centre_of_mass, moment_about, positive_part, sweep, tidy
 

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.core.writing import spoken
-from rotsolve.elements.events import Leaves
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import Condition, Problem, State
 
@@ -31,6 +30,8 @@ def with_flights(problem: Problem) -> Problem:
             continue
         left = [item for item in problem.connections if item.name in {owner_of(line) for line in told} and item.lying()]
         if left:
+            from rotsolve.elements.events import Leaves
+
             flying = unused("flight", problem, states)
             names = tuple(item.name for item in left)
             words = f"{spoken(left[0].lying())} flies on"

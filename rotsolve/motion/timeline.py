@@ -11,10 +11,8 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import INSIDE, MEAN_OF, OSCILLATING
-from rotsolve.elements.at_once import event_between
 from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Path, Problem, State, Term, references
-from rotsolve.motion.lifted import lifted
 
 OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
 
@@ -109,7 +107,7 @@ def timeline(problem: Problem) -> Timeline:
         states = (*states, State(OPEN))
     intervals = []
     for number, (before, after) in enumerate(pairwise(states)):
-        event = event_between(problem.events, before.name, after.name)
+        event = event_from(problem, before.name, after.name)
         if event is not None:
             intervals.append(Interval(event.name or f"{before.name} to {after.name}", before.name, after.name, event))
             continue
@@ -121,6 +119,15 @@ def timeline(problem: Problem) -> Timeline:
         name = f"{before.name} to {after.name}" if parted else whole
         intervals.append(Interval(name, before.name, after.name, None, without, whole if parted else ""))
     return Timeline(tuple(states), tuple(intervals))
+
+
+def event_from(problem: Problem, first: str, last: str) -> Event | None:
+    """What happens from one state to the next."""
+    if not problem.events:
+        return None
+    from rotsolve.elements.at_once import event_between
+
+    return event_between(problem.events, first, last)
 
 
 def absent(problem: Problem, timeline: Timeline) -> dict[str, frozenset[str]]:
@@ -138,6 +145,8 @@ def absent(problem: Problem, timeline: Timeline) -> dict[str, frozenset[str]]:
 def left_at(interval: Interval, problem: Problem, timeline: Timeline, gone: frozenset[str]) -> tuple[Connection, ...]:
     """The contacts that bodies leave in an event, of those that are not `gone` before it: as they go round with what they are joined to, or
     about a point that is suddenly held."""
+    from rotsolve.motion.lifted import lifted
+
     if interval.event is None:
         return ()
     earlier = timeline.intervals[: timeline.order[interval.start]]

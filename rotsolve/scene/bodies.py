@@ -9,7 +9,8 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.symbols import is_coordinate
-from rotsolve.elements.shapes import SHAPES, Particle, Shape
+from rotsolve.elements.shapes import Particle, Shape
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import BODY, PART
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.problem import Body, Part
@@ -24,11 +25,6 @@ from rotsolve.scene.tree import List, Map, Node, Text
 from rotsolve.scene.values import read_scalar
 
 Entries = dict[str, tuple[Text, Node]]
-
-
-def shape_words() -> dict[str, type[Shape]]:
-    """The shapes by their words."""
-    return {shape.word: shape for shape in SHAPES}
 
 
 def read_body(scope: Scope, name: str, key: Text, node: Node) -> Body | None:
@@ -54,7 +50,7 @@ def read_body(scope: Scope, name: str, key: Text, node: Node) -> Body | None:
 
 def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
     """`ball: particle`: a shape alone."""
-    shape = shape_words().get(node.value.strip())
+    shape = SHAPES.of(node.value.strip())
     if shape is None:
         message = f"body `{name}` wants a map, but this is {quoted(node.value)}"
         return scope.fault(node, message, "write `{shape: disc, mass: M}`", "form")
@@ -69,11 +65,11 @@ def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     if written is None or (isinstance(written, Text) and written.empty):
         return None
     if not isinstance(written, Text):
-        return scope.fault(written, "`shape` wants one word", hint("", shape_words(), "shapes"), "form")
+        return scope.fault(written, "`shape` wants one word", hint("", SHAPES.words, "shapes"), "form")
     word = " ".join(written.value.split())
-    shape = shape_words().get(word)
+    shape = SHAPES.of(word)
     if shape is None:
-        scope.unknown(written, word, "shape", shape_words(), "shapes")
+        scope.unknown(written, word, "shape", SHAPES.words, "shapes")
     elif shape.later:
         scope.later(written, word)
     return shape

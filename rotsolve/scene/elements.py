@@ -7,11 +7,10 @@ from functools import partial
 from typing import Any
 
 from rotsolve.algebra.certified.ball import note
-from rotsolve.elements.actions import ACTIONS
-from rotsolve.elements.connections import CONNECTIONS, Friction
-from rotsolve.elements.events import EVENTS
-from rotsolve.elements.surfaces import SURFACES
+from rotsolve.elements.tables import ACTIONS, CONNECTIONS, EVENTS, SURFACES
+from rotsolve.language.friction import Friction
 from rotsolve.language.keys import Element, Key, keys_of
+from rotsolve.language.kinds import Kinds
 from rotsolve.language.problem import PointRef
 from rotsolve.language.words import hint, nearest_name, quoted
 from rotsolve.scene import in_space
@@ -280,7 +279,7 @@ READERS: dict[str, KeyReader] = {
 }
 
 
-TABLES: dict[str, tuple[str, list[Any]]] = {  # section -> kind, table
+TABLES: dict[str, tuple[str, Kinds[Any]]] = {  # section -> kind, table
     "surfaces": ("surface", SURFACES),
     "connections": ("connection", CONNECTIONS),
     "actions": ("action", ACTIONS),
@@ -295,7 +294,7 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     if isinstance(node, Text):
         return plain_word(scope, kind, table, name, node)
     if not isinstance(node, Map):
-        return scope.fault(node, f"{kind} `{name}` wants `{{{table[-1].word}: …}}`, but this is a list", "", "form")
+        return scope.fault(node, f"{kind} `{name}` wants `{{{table.words[-1]}: …}}`, but this is a list", "", "form")
     cls = class_of(scope, kind, table, name, key, node)
     if cls is None:
         return None
@@ -337,33 +336,29 @@ def example_here(scope: Scope, declared: Key) -> str:
     return f"{alike}.{point}" if dot and alike is not None else next(iter(scope.bodies))
 
 
-def plain_word(scope: Scope, kind: str, table: list[Any], name: str, node: Text) -> object | None:
+def plain_word(scope: Scope, kind: str, table: Kinds[Any], name: str, node: Text) -> object | None:
     """An element that is one word, such as `level`."""
     word = " ".join(node.value.split())
-    alone = {cls.word: cls for cls in table if not any(declared.required for _, declared in keys_of(cls))}
-    cls = alone.get(word)
-    if cls is not None:
-        check_world(scope, node, cls)
-        scope.elements[name] = cls
-        return cls(name)  # type: ignore[no-any-return]
-    known = next((item for item in table if item.word == word), None)
-    if known is not None:
-        example = next((declared.example for _, declared in keys_of(known) if declared.example), "…")
-        scope.fault(node, f"`{word}` wants a value", f"write `{name}: {{{word}: {example}}}`", "form")
-    else:
-        scope.unknown(node, word, kind, [item.word for item in table], PLURAL[kind])
-    return None
+    cls = table.of(word)
+    if cls is None:
+        return scope.unknown(node, word, kind, table.words, PLURAL[kind])
+    if any(declared.required for _, declared in keys_of(cls)):
+        example = next((declared.example for _, declared in keys_of(cls) if declared.example), "…")
+        return scope.fault(node, f"`{word}` wants a value", f"write `{name}: {{{word}: {example}}}`", "form")
+    check_world(scope, node, cls)
+    scope.elements[name] = cls
+    return cls(name)  # type: ignore[no-any-return]
 
 
-def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, node: Map) -> type[Any] | None:
+def class_of(scope: Scope, kind: str, table: Kinds[Any], name: str, key: Text, node: Map) -> type[Any] | None:
     """The class by the one word of the table that the map holds."""
     words = [entry.value for entry, _ in node.entries]
-    found: list[type[Any]] = [cls for cls in table if cls.word in words]
+    known = table.words
+    found = [word for word in known if word in words]
     if len(found) == 1:
-        return found[0]
-    known = [cls.word for cls in table]
+        return table.of(found[0])
     if len(found) > 1:  # an axle with a `force`: the first of them in the file decides what is meant
-        both = " and ".join(f"`{cls.word}`" for cls in found[:2])
+        both = " and ".join(f"`{word}`" for word in found[:2])
         return scope.fault(key, f"`{name}` is both {both}", "give each a name of its own", "form")
     for entry, _ in node.entries:
         if nearest_name(entry.value, known):

@@ -8,7 +8,7 @@ from typing import Any
 from rotsolve.algebra.units.dimension import describe
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
 from rotsolve.core.quantity import QUANTITIES, QuantityKind
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import BODY, CLAUSES, DEDUCT, IS, MARKING, MODIFIERS, PART, PHASE, SECTIONS, WHICH
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.words import hint, quoted
@@ -220,7 +220,7 @@ def section_schema(name: str, key: Key) -> dict[str, Any]:
         return named_map({"anyOf": [map_schema(dict(keys_of(cls))) for cls in TABLES[name][1]] + single_words(name)})
     special: dict[str, dict[str, Any]] = {
         "given": named_map(SCALAR),
-        "bodies": named_map({"anyOf": [{"enum": [shape.word for shape in SHAPES]}, {"$ref": "#/$defs/body"}]}),
+        "bodies": named_map({"anyOf": [{"enum": list(SHAPES.words)}, {"$ref": "#/$defs/body"}]}),
         "states": named_map({"anyOf": [{"const": "at rest"}, {"type": "object"}]}),
         "phases": named_map(map_schema(PHASE)),
         "find": {**named_map({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
@@ -268,7 +268,7 @@ def value_schema(key: Key) -> dict[str, Any]:
         "gravity": {"anyOf": [SCALAR, GRAVITY_IN]},
         "flag": {"enum": [True, False, "true", "false", "yes", "no"]},
         "choice": {"enum": list(key.choices)},
-        "shape": {"enum": [shape.word for shape in SHAPES]},
+        "shape": {"enum": list(SHAPES.words)},
         "name": {"type": "string"},
         "names": WORDS,
         "region": named_map(LIMITS),

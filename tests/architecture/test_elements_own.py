@@ -8,11 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rotsolve.elements.actions import ACTIONS
-from rotsolve.elements.connections import CONNECTIONS
-from rotsolve.elements.events import EVENTS
-from rotsolve.elements.shapes import SHAPES
-from rotsolve.elements.surfaces import SURFACES
+from rotsolve.elements.tables import ACTIONS, CONNECTIONS, EVENTS, SHAPES, SURFACES
 
 PACKAGE = Path(__file__).resolve().parents[2] / "rotsolve"
 BELOW = ("algebra", "core", "language", "elements")

@@ -13,6 +13,7 @@ import pytest
 PACKAGE = Path(__file__).resolve().parents[2] / "rotsolve"
 FILES = sorted(PACKAGE.rglob("*.py"))
 LAYERS = (  # each may import those before it, and itself; names on one line do not import each other
+    ("together",),
     ("profile", "lean"),
     ("algebra",),
     ("core",),

@@ -17,13 +17,14 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.slicing import Range, coordinate
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, ROWS, InertiaTensor, Place, displaced
-from rotsolve.elements.shapes import SHAPES, Shape
+from rotsolve.elements.shapes import Shape
 from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
 from rotsolve.elements.shapes.half import Hemisphere, HemisphericalShell
 from rotsolve.elements.shapes.integrated import Graded, Lamina, Revolution
 from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
 from rotsolve.elements.shapes.thin import Arc, Rod
+from rotsolve.elements.tables import SHAPES
 from rotsolve.pipeline import solve
 
 R, r, L, a, b, c = map(Symbol, ("R", "r", "L", "a", "b", "c"))

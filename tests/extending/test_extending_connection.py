@@ -8,8 +8,8 @@ import pytest
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import APPLIED, Couple, signed
-from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.elements.shapes import rim_radius
+from rotsolve.elements.tables import CONNECTIONS
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Fact, Moment
 from rotsolve.language.keys import key

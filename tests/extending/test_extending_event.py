@@ -8,7 +8,7 @@ import pytest
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import BLOW, Couple, signed
-from rotsolve.elements.events import EVENTS
+from rotsolve.elements.tables import EVENTS
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Event, Moment
 from rotsolve.language.keys import key

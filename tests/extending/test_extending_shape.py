@@ -8,7 +8,7 @@ import pytest
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.tables import SHAPES
 from rotsolve.language.shape import Place, Shape, extent
 from rotsolve.pipeline import solve
 

@@ -17,11 +17,7 @@ import pytest
 import yaml
 
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.elements.actions import ACTIONS
-from rotsolve.elements.connections import CONNECTIONS
-from rotsolve.elements.events import EVENTS
-from rotsolve.elements.shapes import SHAPES
-from rotsolve.elements.surfaces import SURFACES
+from rotsolve.elements.tables import ACTIONS, CONNECTIONS, EVENTS, SHAPES, SURFACES
 from rotsolve.language.grammar import BODY
 from rotsolve.language.keys import keys_of
 from rotsolve.pipeline import solve

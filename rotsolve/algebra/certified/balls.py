@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.flints import acb, arb, fmpz
+from rotsolve.algebra.flints import arb, fmpz
 from rotsolve.algebra.formula import (
     ELLIPTIC,
     Call,
@@ -35,8 +35,6 @@ Values = Mapping[str, Formula | Fraction | int]
 Steady = dict[int, tuple[Formula, Ball | None]]
 
 PLACES_A_STEP = 8  # at which an integrand is evaluated
-SHARP = 20  # bits to which both ends of an integral are known where it is worth its work
-ROUGHLY = 300  # evaluations of one between other ends
 
 
 class Undefined(ValueError):
@@ -162,6 +160,8 @@ class RealBalls:
         if name == "ellipk":
             if x >= 1:
                 raise Undefined("the elliptic integral K of 1 or more")
+            from rotsolve.algebra.flints import acb
+
             return acb(x).elliptic_k().real
         if name in ELLIPTIC:
             return self._elliptic(node, x, *map(self, node.arguments[1:]))
@@ -214,7 +214,7 @@ class RealBalls:
         return found
 
     def _integral(self, node: Integral) -> Ball:
-        from rotsolve.algebra.certified.turning import integral_to_rest, work_limit
+        from rotsolve.algebra.certified.turning import integral_to_rest
 
         turning = integral_to_rest(node, self)
         if turning is not None:
@@ -222,13 +222,9 @@ class RealBalls:
         lower, upper = self(node.lower), self(node.upper)
         if node.integrand.holds("abs") and node.integrand != (signed := self.without_size(node, lower, upper)):
             return self(replace(node, integrand=signed)) if signed is not None else arb.nan()
-        outer, steady = self, Steady()
+        from rotsolve.algebra.certified.complexballs import certified_integral
 
-        def integrand(z: Ball, analytic: bool) -> Ball:
-            return ComplexBalls(outer, {node.variable: z}, analytic, steady)(node.integrand)
-
-        sharp = all(end.is_exact() or end.rel_accuracy_bits() >= SHARP for end in (lower, upper))
-        return acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit() if sharp else ROUGHLY).real
+        return certified_integral(node, lower, upper, self)
 
     def without_size(self, node: Integral, lower: Ball, upper: Ball) -> Formula | None:
         """The integrand with ±x for |x|, at whose kink no rule for smooth ones gets past; None where the sign of x may change."""
@@ -249,6 +245,8 @@ class RealBalls:
 
     def over(self, letter: str, place: Ball, node: Formula) -> Ball:
         """The complex ball of a formula where a letter has one."""
+        from rotsolve.algebra.certified.complexballs import ComplexBalls
+
         return ComplexBalls(self, {letter: place}, False, self.steady.setdefault(letter, Steady()))(node)
 
 
@@ -264,71 +262,3 @@ _REAL: dict[type[Formula], Callable[[RealBalls, Any], Ball]] = {
     Call: RealBalls.call,
     Integral: RealBalls.integral,
 }
-
-
-class ComplexBalls:
-    """Evaluates an integrand over acb; where analyticity is asked for and not certain, the result is not finite.
-
-    `steady` keeps the parts that hold no bound letter, for all places of one integral.
-    """
-
-    def __init__(self, outer: RealBalls, bound: Mapping[str, Ball], analytic: bool, steady: Steady) -> None:
-        self.outer = outer
-        outer.evaluated += 1
-        self.bound = bound
-        self.analytic = analytic
-        self.steady = steady
-
-    def __call__(self, node: Formula) -> Ball:
-        kept = self.steady.get(id(node))
-        if kept is None:
-            moves = bool(node.symbols() & self.bound.keys())
-            kept = self.steady[id(node)] = node, None if moves else acb(self.outer(node))
-        if kept[1] is not None:
-            return kept[1]
-        if isinstance(node, Symbol):
-            return self.bound[node.name]
-        parts = [self(child) for child in node.children()]
-        if isinstance(node, Sum):
-            return reduce(add, parts)
-        if isinstance(node, Product):
-            return reduce(mul, parts)
-        if isinstance(node, Quotient):
-            return parts[0] / parts[1]
-        if isinstance(node, Negative):
-            return -parts[0]
-        if isinstance(node, Power):
-            return self._power(node, parts)
-        if isinstance(node, Call):
-            return self._call(node.function, parts)
-        raise Undefined("an integral within an integral")
-
-    def _power(self, node: Power, parts: list[Ball]) -> Ball:
-        if isinstance(node.exponent, Number) and node.exponent.value.denominator == 1:
-            return parts[0] ** int(node.exponent.value)
-        return (parts[1] * parts[0].log(analytic=self.analytic)).exp()
-
-    def _call(self, function: str, parts: list[Ball]) -> Ball:
-        z = parts[0]
-        if function in ("sqrt", "log"):
-            return getattr(z, function)(analytic=self.analytic)
-        if function in ("sin", "cos", "tan", "exp"):
-            return getattr(z, function)()
-        if function == "ellipk":
-            return z.elliptic_k() if z.real < 1 or not self.analytic else acb(arb.nan())
-        if function in ELLIPTIC:
-            raise Undefined("an elliptic function within an integral")
-        if function == "abs":
-            if z.real > 0:
-                return z
-            if z.real < 0:
-                return -z
-            return acb(arb.nan()) if self.analytic else acb(abs(z.real))
-        if function in ("asin", "acos"):
-            inside = abs(z.real) < 1
-            return getattr(z, function)() if inside or not self.analytic else acb(arb.nan())
-        if function == "atan":
-            return z.atan() if abs(z.imag) < 1 or not self.analytic else acb(arb.nan())
-        if parts[1].real > 0 and (not self.analytic or abs((z / parts[1]).imag) < 1):
-            return (z / parts[1]).atan()
-        return acb(arb.nan()) if self.analytic else acb(arb.atan2(z.real, parts[1].real))

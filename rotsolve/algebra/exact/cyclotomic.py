@@ -13,7 +13,7 @@ from math import lcm
 from rotsolve.algebra.exact import angles
 from rotsolve.algebra.exact.field import Poly
 from rotsolve.algebra.exact.normal import Fractions
-from rotsolve.algebra.flints import univariate
+from rotsolve.algebra.flints import fmpz_poly
 from rotsolve.algebra.formula import PI, Call, Formula, Symbol, power
 
 ZETA = "#zeta"
@@ -58,6 +58,6 @@ def divided_by_cyclotomic(value: Poly, problem: Fractions, order: int) -> bool:
         others = (*exponents[:place], *exponents[place + 1 :])
         part, e = parts.setdefault(others, {}), exponents[place] % order
         part[e] = part.get(e, 0) + int(coefficient)
-    ring = univariate()
+    ring = fmpz_poly
     least = ring.cyclotomic(order)
     return all(not ring([part.get(e, 0) for e in range(order)]) % least for part in parts.values())

@@ -10,11 +10,12 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from math import prod
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.factors import Exponent, Factorization, Parts, absorb_sizes, negative, singles, taken_apart
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
-from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, FactoredGroup, Grouping
+from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED
 from rotsolve.algebra.exact.order import (
     Item,
     Order,
@@ -28,6 +29,9 @@ from rotsolve.algebra.exact.order import (
 )
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Number, Product, Sum, Symbol, negate, total
 from rotsolve.algebra.notation.letters import GLYPHS
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.exact.grouping import FactoredGroup, Grouping
 
 TERMS_A_STEP = 4  # that are written
 GATHERED = ("sqrt", "exp")  # functions of which a product has one at most
@@ -46,6 +50,8 @@ class Shaper:
     @cached_property
     def grouping(self) -> Grouping:
         """Made where a sum is long."""
+        from rotsolve.algebra.exact.grouping import Grouping
+
         return Grouping(self.field, self.order)
 
     # polynomials

@@ -20,7 +20,7 @@ from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.lines import placed_value
 from rotsolve.confirm.pose import Pose
-from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.asked import is_spring, is_torsion
 from rotsolve.language.problem import Condition, State
 
 NEWTON, EXACT, SAMPLES = 30, 1e-13, (0.35, 0.7, 1.0)
@@ -179,7 +179,7 @@ def only_place(state: State) -> Condition | None:
 def conserves(first: Node) -> bool:
     """Whether only weights, springs and wires do work, and nothing is driven or slips."""
     now = first.moment
-    stores = {item.name for item in first.model.acting.connections if isinstance(item, (Spring, Torsion))}
+    stores = {item.name for item in first.model.acting.connections if is_spring(item) or is_torsion(item)}
     if any(not name.startswith("weight of ") and name not in stores for name in now.loads):
         return False
     if any(mode != STICKS for mode in now.modes.values()):

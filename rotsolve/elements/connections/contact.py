@@ -15,10 +15,11 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.lying import is_level
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.connections.touch import Friction, Touch
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import rim_radius, shape_of, touching_radius
 from rotsolve.language.bodies import Body, Joint, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, SceneElements, Surroundings
+from rotsolve.language.friction import Friction
 from rotsolve.language.keys import amount, key
 
 

@@ -28,10 +28,10 @@ from rotsolve.core.vectors.heading import NOWHERE, Vector, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.faces import Face
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
+from rotsolve.language.friction import Friction
 
 
 class Spot(Struct, frozen=True):

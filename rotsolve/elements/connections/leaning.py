@@ -14,11 +14,12 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import LEFT, NOWHERE, RIGHT, UP, Heading, Vector, heading, unit
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.touch import Friction, Touch
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import rim_radius, rims, shape_of
 from rotsolve.elements.surfaces import Corner, Curved, Dome
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.elements import Fact, Moment, PlaceOf, SceneElements, Surroundings
+from rotsolve.language.friction import Friction
 
 ENDS = ("start", "end")
 FLAT_ON = (None, "cm", "center")  # of a box on a floor: the points by which it is named as a whole

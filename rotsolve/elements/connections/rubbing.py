@@ -24,10 +24,10 @@ from rotsolve.elements.connections.faces import (
     face_radius,
     face_uniform,
 )
-from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import rim_radius, round_part, shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
+from rotsolve.language.friction import Friction
 from rotsolve.language.keys import amount, key
 
 

@@ -38,10 +38,10 @@ from rotsolve.elements.connections.faces import (
     face_radius,
     face_uniform,
 )
-from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import ends_at, rims, room_from, shape_of
 from rotsolve.language.bodies import Joint, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
+from rotsolve.language.friction import Friction
 from rotsolve.language.keys import amount, key
 
 Axis = tuple[Formula, ...]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 from typing import Any, ClassVar
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
@@ -41,20 +40,7 @@ from rotsolve.elements.shapes import bow_of, rim_radius, rims, rolling_part, sha
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, SceneElements, Surroundings
-
-
-class Friction(Struct, frozen=True):
-    """Friction of a contact: `none`, one coefficient, static and kinetic, or `any` (rough enough; the engine decides)."""
-
-    kind: str = "none"  # none | coefficient | any
-    static: Formula | None = None
-    kinetic: Formula | None = None
-
-    def rooms(self, name: str) -> Iterator[Limit]:
-        """What slips rubs at most as much as what holds: μ_k ≤ μ_s."""
-        if self.static is not None and self.kinetic is not None and self.static != self.kinetic:
-            words = f"static friction of `{name}` can't be less than kinetic friction"
-            yield Limit(self.static - self.kinetic, words)
+from rotsolve.language.friction import Friction
 
 
 class Touch(Connection, frozen=True):

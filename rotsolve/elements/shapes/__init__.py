@@ -4,44 +4,13 @@ from __future__ import annotations
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
-from rotsolve.elements.shapes.half import Hemisphere, HemisphericalShell
-from rotsolve.elements.shapes.integrated import Graded as Graded
-from rotsolve.elements.shapes.integrated import Lamina, Revolution
-from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
-from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
-from rotsolve.elements.shapes.thin import Arc, Rope
 from rotsolve.elements.shapes.thin import Particle as Particle
-from rotsolve.elements.shapes.thin import Rod as Rod
 from rotsolve.language.bodies import Body, Part, PointRef
 from rotsolve.language.shape import WHEEL as WHEEL
 from rotsolve.language.shape import Bow as Bow
 from rotsolve.language.shape import Place as Place
 from rotsolve.language.shape import Shape as Shape
 
-SHAPES: list[type[Shape]] = [
-    Particle,
-    Rod,
-    Rope,
-    Arc,
-    Disc,
-    Ring,
-    Annulus,
-    Rectangle,
-    Triangle,
-    Polygon,
-    Cylinder,
-    CylindricalShell,
-    Sphere,
-    SphericalShell,
-    Hemisphere,
-    HemisphericalShell,
-    Cone,
-    Cuboid,
-    Ellipsoid,
-    Lamina,
-    Revolution,
-]
 PARTICLE = Particle()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -11,11 +12,13 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
 from rotsolve.core.limits import Limit
-from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.language.keys import amount
 from rotsolve.language.shape import Bow, Place, Shape, extent
+
+if TYPE_CHECKING:
+    from rotsolve.core.slicing import Slicing
 
 
 class Particle(Shape, frozen=True):
@@ -55,6 +58,8 @@ class Rod(Shape, frozen=True):
 
     def slicing(self) -> Slicing:
         """Pieces of length dx, x from the start."""
+        from rotsolve.core.slicing import Range, coordinate, on_line
+
         x = coordinate("x")
         return replace(
             on_line(("pieces of length d", x), Range(x, ZERO, self.extent())), origin=self.begin(), at="start"
@@ -123,6 +128,8 @@ class Arc(Shape, frozen=True):
 
     def slicing(self) -> Slicing:
         """Pieces of length R dφ, φ from the axis of symmetry."""
+        from rotsolve.core.slicing import Range, Slicing, coordinate
+
         phi, radius, half = coordinate("phi"), self.radius or ZERO, simplify((self.opening or ZERO) / 2)
         x, y = radius * call("cos", phi), radius * call("sin", phi)
         element = ("pieces of length ", radius, " d", phi)
