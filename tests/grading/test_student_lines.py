@@ -298,3 +298,27 @@ def mistakes_with(steps: int, monkeypatch: pytest.MonkeyPatch) -> list[str]:
 def test_no_more_than_so_many_mistakes_are_tried(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(table, "MOST_TRIED", 3)
     assert 0 < len(mistakes()) <= 3
+
+
+WORDS = ("{}", "{} = {}", "so {} = {}", "we get {} = {}", "x y = 3 so {} = {}", "{} is {}", "∴ {} = {}")
+
+
+@pytest.mark.sampled(4)
+@pytest.mark.parametrize("file", sorted(PROBLEMS.glob("*/*.yaml"))[3::40], ids=lambda file: file.stem)
+def test_words_change_no_verdict_in_any_scene(file: Path) -> None:
+    """What is right by itself is right within words, and what is not is not."""
+    solution = solve(file)
+    own = Judge(solution)
+    for answer in solution.derivation.answers:
+        if answer.value is None or answer.components or answer.word or not answer.value.float:
+            continue
+        unit = "" if answer.unit is None else answer.unit.text
+        for factor in (1, 1.7):
+            value = f"{factor * answer.value.float:.6g} {unit}".strip()
+            texts = [words.format(*([answer.name] if words.count("{}") > 1 else []), value) for words in WORDS]
+            found = [
+                next(one for one in own.mark(Paper("one", {answer.name: text})).parts if one.name == answer.name)
+                for text in texts
+            ]
+            assert {one.verdict.outcome for one in found} == {found[0].verdict.outcome}, texts
+            assert factor == 1 or found[0].verdict.outcome != RIGHT, texts

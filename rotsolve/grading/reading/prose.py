@@ -22,7 +22,7 @@ LEADING = frozenset(_LEADING.split())  # words that say nothing of a value
 SAYS = frozenset(
     ("is", "are", "equals", "ist", "sind", "beträgt", "be", "gives", "yields", "was")
 )  # what stands for `=`
-_WORD = re.compile(r"[A-Za-zäöüßÄÖÜ]+(?:['’-][A-Za-z]+)*")
+_WORD = re.compile(r"[A-Za-zäöüßÄÖÜ]+(?:['’-][A-Za-z]+)*(?!\w)")
 _JOIN = (
     r"[,;:]|\.(?=\s)|→|⇒|⟹|⟶|=>|[-–]+>|∴|\\(?:Longr|R|r)ightarrow(?![A-Za-z])|\\(?:implies|to|therefore)(?![A-Za-z])"
 )
