@@ -57,11 +57,20 @@ MEANT = {  # other words for the same thing
     "blow": "impulse",
     "torque": "couple",
     "moment": "couple",
+    "body": "bodies",
+    "objects": "bodies",
+    "known": "given",
+    "data": "given",
+    "joints": "connections",
+    "links": "connections",
+    "forces": "actions",
+    "asked": "find",
+    "question": "find",
 }
 
 
-def nearest_name(word: str, names: Iterable[str]) -> str | None:
-    """The name that `word` was most likely meant to be."""
+def nearest_name(word: str, names: Iterable[str], likeness: float = 0.6) -> str | None:
+    """The name that `word` was most likely meant to be; of those that only look like it, one with so much in common at least."""
     if not word or len(word) > LONGEST:
         return None
     from difflib import get_close_matches  # only a faulty scene pays for it
@@ -72,7 +81,7 @@ def nearest_name(word: str, names: Iterable[str]) -> str | None:
         return lower[word.lower()]
     if MEANT.get(word.lower()) in choices:
         return MEANT[word.lower()]
-    found = get_close_matches(word, choices, n=1, cutoff=0.6)
+    found = get_close_matches(word, choices, n=1, cutoff=likeness)
     return found[0] if found else None
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
+from rotsolve.core.faults import MissingPackage
 from rotsolve.page.typst_document import picture_page
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def printed_document(source: str, kind: str = "pdf") -> bytes:
     try:
         import typst
     except ModuleNotFoundError:
-        raise ModuleNotFoundError(MISSING.format(kind.upper()), name=PACKAGE) from None
+        raise MissingPackage(MISSING.format(kind.upper())) from None
     made = typst.compile(source.encode(), format=kind, ppi=RESOLUTION, ignore_system_fonts=True)
     assert isinstance(made, bytes), "a PNG has one page"
     return made

@@ -24,7 +24,7 @@ from rotsolve.core.symbols import PLACES, RATES
 from rotsolve.elements.shapes import WHEEL, rivals
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.in_space import in_space_only
 from rotsolve.scene.literals import Lexeme, Want, closing
 from rotsolve.scene.scope import Scope
@@ -242,6 +242,9 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
         help = f"write `{word}.quantity`, for example `{word}.{example}`"
         return scope.fault(span, f"`{word}` is {an(str(kind))}, not a quantity", help, "path")
     known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES.values() if SYSTEM in item.owners)]
+    near = nearest_name(word, scope.names(*OWNERS))
+    if near is not None and nearest_name(word, known) is None:
+        return scope.unknown(span, word, "name", scope.names(*OWNERS), PLURALS)
     return scope.unknown(span, word, "name", known, "givens, answers and quantities")
 
 

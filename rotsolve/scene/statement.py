@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from rotsolve.core.faults import Span
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.scope import Scope
+from rotsolve.scene.scope import UNKNOWN, Scope
 from rotsolve.scene.tree import Node, Text
 
 BRACES = re.compile(r"\{\{|\}\}|\{(?P<inner>[^{}]*)\}")
@@ -52,4 +52,5 @@ def check_slots(scope: Scope, node: Node, lines: tuple[str, ...]) -> None:
             found = ((number, line.find(slot.text)) for number, line in enumerate(lines, 1) if number >= node.span.line)
             place = next((Span(number, at + 1, len(slot.text)) for number, at in found if at >= 0), node.span)
             message = f"{quoted(slot.text)} in `text` names no given"
-            scope.fault(place, message, hint(slot.name, names, "givens"), "unknown")
+            help = hint(slot.name, names, "givens")
+            scope.fault(place, message, help, "unknown", cause=f"{UNKNOWN}{slot.name}")

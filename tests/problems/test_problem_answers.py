@@ -20,7 +20,8 @@ from rotsolve.core.equation import FAMILIES, LAGRANGE
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Published
 from rotsolve.scene.reference import json_schema
-from rotsolve.solution import AnswerView, Solution
+from rotsolve.solution import Solution
+from rotsolve.solution.answer import AnswerView
 from solutions import solved
 
 ACCURACY = Fraction(1, 10**9)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
@@ -10,13 +9,13 @@ from typing import TYPE_CHECKING, TypeVar
 
 from msgspec.structs import replace
 
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import RotsolveError, Unsolvable
 from rotsolve.derivation.requirements import ROOT, SLIPS
 from rotsolve.grading.course.report.student import Task
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
-from rotsolve.scene.read import read_source
+from rotsolve.scene.read import Source, read_source
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -34,7 +33,7 @@ Given = TypeVar("Given")
 Done = TypeVar("Done")
 
 
-class NotMarked(ValueError):
+class NotMarked(RotsolveError, ValueError):
     """Why a paper can't be marked."""
 
 
@@ -84,7 +83,7 @@ def variant_of(paper: Paper) -> int:
 class Judges:
     """The judge of the scene as it stands, and of each variant by its number."""
 
-    def __init__(self, scene: str | os.PathLike[str], seed: int, count: int | None) -> None:
+    def __init__(self, scene: Source, seed: int, count: int | None) -> None:
         self.seed, self.count = seed, count
         self.problem = read_source(scene)
         self.solution = solve_problem(self.problem).complete()
