@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -15,10 +15,12 @@ from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.core.faults import Span
 from rotsolve.language.problem import Wording
 from rotsolve.language.words import hint, quoted
-from rotsolve.page.blocks import PageBlock, Phrase
-from rotsolve.page.statement_blocks import Image
 from rotsolve.scene.scope import UNKNOWN, Scope
 from rotsolve.scene.tree import Node, Text
+
+if TYPE_CHECKING:
+    from rotsolve.page.blocks import PageBlock, Phrase
+    from rotsolve.page.statement_blocks import Image
 
 PIECES = re.compile(
     r"(?P<dollar>\\\$)|\{\{|\}\}|(?P<tex>\$(?=\S)(?:[^$\\\n]|\\.|\n(?!\s*\n))*?(?<=\S)\$(?!\d))|\{(?P<inner>[^{}]*)\}"
@@ -46,7 +48,7 @@ class Tex(Struct, frozen=True):
     tex: str
 
 
-Filler = Callable[["str | Slot | Tex"], Phrase]  # what a page says for prose, a slot or a formula
+Filler = Callable[["str | Slot | Tex"], "Phrase"]  # what a page says for prose, a slot or a formula
 
 
 def prose_and_slots(text: str) -> Iterator[str | Slot | Tex]:
@@ -198,6 +200,7 @@ def check_formula(scope: Scope, tex: str, node: Text, lines: tuple[str, ...]) ->
 
 def check_images(scope: Scope, node: Text, lines: tuple[str, ...], what: str, file: str, in_line: bool) -> None:
     """A fault for each image that is none."""
+    from rotsolve.page.statement_blocks import Image
     from rotsolve.scene.markdown import NoMarkdown
 
     def plainly(piece: str | Slot | Tex) -> Phrase:
@@ -222,20 +225,20 @@ def check_images(scope: Scope, node: Text, lines: tuple[str, ...], what: str, fi
 
 def fault_of_image(image: Image) -> str:
     """What is wrong with an image; '' where nothing is."""
-    path = Path(image.path)
-    name = quoted(path.name)
+    folder, file = os.path.split(image.path)
+    name = quoted(file)
     if not image.alt.strip():
         return f"the image {name} has no words for those who do not see it"
     if "://" in image.path:
         return f"{quoted(image.path)} is no file: nothing is fetched from a network"
-    if path.suffix.lower() not in KINDS:
+    if os.path.splitext(file)[1].lower() not in KINDS:
         return f"the image {name} is of no kind that every format can print: {', '.join(KINDS)}"
-    if not path.is_file():
-        return f"there is no image {name} in {quoted(str(path.parent))}"
+    if not os.path.isfile(image.path):
+        return f"there is no image {name} in {quoted(folder or os.curdir)}"
     return (
         ""
         if image.content() is not None
-        else f"{name} holds no image, or one of more than {Image.most // 1_000_000} MB"
+        else f"{name} holds no image, or one of more than {image.most // 1_000_000} MB"
     )
 
 

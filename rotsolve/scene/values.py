@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Container, Iterator, Mapping
 
 from rotsolve.algebra.certified.ball import evaluate, note
-from rotsolve.algebra.formula import ZERO, Call, Formula, Negative, Number, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.formula import FUNCTIONS, ZERO, Call, Formula, Negative, Number, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
@@ -219,13 +219,28 @@ def written_nothing(scope: Scope, formula: Formula, want: Want) -> bool:
         return False
 
 
+OPERATORS = str.maketrans("+-*/^()", "\n" * 7)
+
+
+def plainly_made(text: str, letters: Container[str]) -> bool:
+    """Whether a text is made of letters, functions and numbers with an operator between any two of them: `2*M`, `-l`, `L*cos(theta)`."""
+    pieces = [piece.strip() for piece in text.translate(OPERATORS).split("\n")]
+    known = [piece for piece in pieces if piece in letters]
+    return bool(known) and all(not one or one in known or one in FUNCTIONS or is_figures(one) for one in pieces)
+
+
+def is_figures(piece: str) -> bool:
+    """Whether a piece is a number in figures, `12` or `0.5`."""
+    return piece.isascii() and piece.replace(".", "", 1).isdigit()
+
+
 def told_foreign(scope: Scope, node: Text) -> bool:
     """Whether a value is one elsewhere, which is said: `12,5 kg`, `1_000`, `.inf`."""
-    from rotsolve.scene.foreign import foreign_value  # only what is no plain value pays for it
-
     text = node.value.strip()
-    if text in scope.givens:
+    if plainly_made(text, scope.givens):
         return False
+    from rotsolve.scene.foreign import foreign_value  # its patterns take 3 ms to be compiled
+
     if (told := foreign_value(text, scope.givens)) is not None:
         scope.fault(node, *told, "number")
         return True
