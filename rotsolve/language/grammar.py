@@ -40,6 +40,9 @@ SECTIONS: dict[str, Key] = {
         example="[fast spin]",
     ),
     "find": Key("map", "what is asked", required=True),
+    "ask": Key(
+        "map", "how a sheet asks for the answers, by the names of `find`: a wording each, in the order of the sheet"
+    ),
     "answers": Key("map", "published answers, by the names of `find`"),
     "marking": Key("map", "how answers are marked, by the names of `find`, or `all`: points alone, or a map"),
     "vary": Key(

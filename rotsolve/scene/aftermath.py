@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, Related, Span
-from rotsolve.language.words import joined
+from rotsolve.language.words import Hint, joined
 from rotsolve.scene.scope import UNKNOWN, Scope
 from rotsolve.scene.tree import List, Map, Node, Text
 
@@ -79,11 +79,14 @@ def without_doubled(faults: list[Fault], scope: Scope) -> list[Fault]:
     missing = list(dict.fromkeys(fault.cause for fault in faults if fault.cause.startswith(UNKNOWN)))
     if not doubled or not missing or len(missing) > len(doubled):
         return faults
+    meant = missing[0].removeprefix(UNKNOWN) if len(missing) == 1 else None
     names = joined((f"`{cause.removeprefix(UNKNOWN)}`" for cause in missing), " or ")
     spans = {key.span for key in doubled}
     kept = [fault for fault in faults if fault.cause not in missing]
     return [
-        replace(fault, help=f"did you mean {names}, which nothing gives?") if fault.span in spans else fault
+        replace(fault, help=Hint(f"did you mean {names}, which nothing gives?", meant))
+        if fault.span in spans
+        else fault
         for fault in kept
     ]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Container
 
-from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit
+from rotsolve.algebra.units.quantities import MAX_LENGTH, UnitError, parse_quantity, parse_unit
 from rotsolve.language.words import quoted
 
 Told = tuple[str, str]  # what is wrong, and the cure
@@ -28,6 +28,8 @@ def foreign_value(text: str, names: Container[str]) -> Told | None:
     word = text.split()[0].lstrip("-+−.").lower() if text.split() and text.strip("-+") else text
     if word in WORDS and word not in names:
         return f"{quoted(text)} is {WORDS[word]}", LEFT_OPEN
+    if len(text) > MAX_LENGTH:  # the patterns would try each of its places with each other
+        return None
     for pattern, told in FORMS.items():
         match = re.fullmatch(pattern, text, re.DOTALL)
         found = told(match, names) if match is not None else None

@@ -161,8 +161,6 @@ def number_with_unit(scope: Scope, given: Given, written: Text) -> bool:
 
 def letter_with_unit(scope: Scope, given: Given) -> bool:
     """`m: kg`, a letter with a dimension and no number."""
-    if re.search(r"\d", given.text.replace("^", "")) and not re.fullmatch(r"[^\d]*(\^?-?\d[^\d]*)*", given.text):
-        return False
     try:
         unit = parse_unit(given.text)
     except UnitError:

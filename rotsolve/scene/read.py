@@ -9,7 +9,7 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import partial
 from numbers import Integral, Real
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from msgspec.structs import replace
 
@@ -38,7 +38,7 @@ from rotsolve.scene.values import read_scalar
 
 if TYPE_CHECKING:
     from rotsolve.language.marks import Marking
-    from rotsolve.language.problem import Variation
+    from rotsolve.language.problem import Variation, Wording
 
 Source = str | os.PathLike[str] | Mapping[str, Any] | Problem  # what says a scene
 
@@ -91,7 +91,12 @@ def plain_values(value: Any) -> Any:
 
 
 def read_file(path: str | os.PathLike[str], settings: Mapping[str, object] | None = None) -> Problem:
-    """The problem in a file; its size is checked before it is read."""
+    """The problem in a file."""
+    return read_text(text_of_file(path), os.fspath(path), settings)
+
+
+def text_of_file(path: str | os.PathLike[str]) -> str:
+    """What a file holds; its size is checked before it is read."""
     name = os.fspath(path)
     try:
         size = os.path.getsize(name)
@@ -104,7 +109,7 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, object] | Non
         raise SceneError([Fault(f"can't read {quoted(name)}: {reason}", None, "", "file")]) from None
     if len(content) > BYTES:
         raise too_large(len(content), name)
-    return read_text(decoded(content, name), name, settings)
+    return decoded(content, name)
 
 
 def too_large(size: int, name: str) -> SceneError:
@@ -114,6 +119,11 @@ def too_large(size: int, name: str) -> SceneError:
 
 def read_text(text: str, file: str = "<text>", settings: Mapping[str, object] | None = None) -> Problem:
     """The problem in a text. Raises SceneError with all faults."""
+    return read_tree(*tree_of_text(text, file), file, settings)
+
+
+def tree_of_text(text: str, file: str) -> tuple[Node, tuple[str, ...]]:
+    """The tree of a text and its lines, if it is one that YAML knows."""
     if len(text) > BYTES:
         raise too_large(len(text), file)
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
@@ -124,7 +134,20 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, object] | 
             f"a control character, U+{ord(text[control]):04X}", place, "remove it: a scene is plain text", "file"
         )
         raise SceneError([fault], text.split("\n"), file)
-    return read_tree(*compose(text, file), file, settings)
+    return compose(text, file)
+
+
+def is_sheet(root: Node) -> TypeGuard[Map]:
+    """Whether a file lists problems, and is none itself."""
+    words = {key.value for key, _ in root.entries} if isinstance(root, Map) else set()
+    return bool(words & {"sheet", "problems"}) and words.isdisjoint(("find", "bodies"))
+
+
+def no_scene_but_sheet(root: Map, file: str) -> Fault:
+    """What is said of a sheet where a scene is wanted."""
+    key, _ = root.entries[0]
+    help = f"`rotsolve key {file} -o DIR`, with no other file, makes its pages; a scene is one of its problems"
+    return Fault("this file is a sheet of problems, and no scene", key.span, help, "sheet")
 
 
 def is_control(code: int) -> bool:
@@ -139,6 +162,8 @@ def read_tree(
 ) -> Problem:
     """The problem in the tree of a text."""
     scope = Scope()
+    if is_sheet(root):
+        raise SceneError([no_scene_but_sheet(root, file)], lines, file)
     root = mended(root, scope) if isinstance(root, Map) else root
     problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
     scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None and not scope.blamed else ())
@@ -236,10 +261,10 @@ class Sections:
         self.declare()
         self.givens()
         fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
-        if "{" in fields["text"]:
-            from rotsolve.scene.statement import check_slots  # most texts name no givens
+        if any(sign in fields["text"] for sign in ("{", "$", "![")):
+            from rotsolve.scene.statement import check_text  # most texts are prose alone
 
-            check_slots(scope, self.top["text"][1], lines)
+            check_text(scope, self.top["text"][1], lines, "`text`", file)
         fields["gravity"], turning = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         if scope.space and "plane" in self.top:
@@ -256,6 +281,7 @@ class Sections:
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
         fields["answers"] = self.answers(asked, asked.keys() - {find.name for find in fields["finds"]})
+        fields["ask"] = self.ask(asked, lines, file)
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
         settings = tuple(self.texts.items())
@@ -393,6 +419,14 @@ class Sections:
                 known = APPROXIMATIONS if scope.space else (f"m {SMALL_BESIDE} M",)
                 scope.unknown(item, word, "approximation", known, "approximations")
         return tuple(found)
+
+    def ask(self, asked: Mapping[str, Any], lines: tuple[str, ...], file: str) -> tuple[Wording, ...]:
+        node = self.node("ask")
+        if node is None:
+            return ()
+        from rotsolve.scene.statement import read_wordings  # few scenes say it
+
+        return read_wordings(self.scope, node, asked, lines, file)
 
     def marking(self, asked: Mapping[str, Any]) -> tuple[Marking, ...]:
         node = self.node("marking")

@@ -11,11 +11,13 @@ from rotsolve.core.quantity import QUANTITIES, QuantityKind
 from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import BODY, CLAUSES, DEDUCT, MARKING, MODIFIERS, PART, PHASE, SECTIONS, STATE
 from rotsolve.language.keys import Key, keys_of
+from rotsolve.language.sheet_keys import LISTED, SHEET
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import TABLES
 
 BEGIN = "<!-- generated from the tables: begin -->"
 END = "<!-- generated: end -->"
+SHEETS = (("sheet file", SHEET), ("problem of a sheet", LISTED))
 LATER = " *(not solved yet)*"
 IN_SPACE = " *(in space)*"
 IN_PLANE = " *(in the plane)*"
@@ -65,6 +67,7 @@ def word_entries() -> Iterator[tuple[str, str]]:
         ("phase", PHASE),
         ("marking", MARKING),
         ("deduction", DEDUCT),
+        *SHEETS,
     ):
         for word, key in keys.items():
             yield word, f"`{word}` (of a {title}): {key_meaning(key)}"
@@ -83,6 +86,8 @@ def reference_chapters() -> Iterator[str]:
     yield chapter_text("Keys of a phase", key_rows(PHASE.items()))
     yield chapter_text("Keys of an answer's marking", key_rows(MARKING.items()))
     yield chapter_text("Keys of `deduct`", key_rows(DEDUCT.items()))
+    for title, keys in SHEETS:
+        yield chapter_text(f"Keys of a {title}", key_rows(keys.items()))
     lines = ["| word | letter | of | components | meaning |", "| --- | --- | --- | --- | --- |"]
     lines += [quantity_row(entry) for entry in QUANTITIES.values()]
     yield "### Quantities\n\n" + "\n".join(lines)

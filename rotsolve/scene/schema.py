@@ -127,6 +127,7 @@ def section_schema(name: str, key: Key) -> dict[str, Any]:
         "states": named_map({"anyOf": [{"const": "at rest"}, {**map_schema(STATE), "additionalProperties": True}]}),
         "phases": named_map(map_schema(PHASE)),
         "find": {**named_map({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
+        "ask": named_map({"type": "string"}),
         "answers": {"type": "object"},
         "marking": named_map({"anyOf": [SCALAR, map_schema(MARKING)]}),
         "vary": named_map({"anyOf": [{"type": "string"}, {"type": "array", "items": SCALAR, "minItems": 1}]}),

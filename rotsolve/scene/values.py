@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Container, Iterator, Mapping
 
 from rotsolve.algebra.certified.ball import evaluate, note
 from rotsolve.algebra.formula import ZERO, Call, Formula, Negative, Number, Product, Quotient, Sum, Symbol
@@ -25,7 +25,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.keys import HIGHEST
 from rotsolve.language.problem import TimeValue
-from rotsolve.language.words import an, did_you_mean, hint, quoted
+from rotsolve.language.words import Hint, an, did_you_mean, hint, quoted
 from rotsolve.scene.literals import (
     COMMA,
     EXPRESSION,
@@ -180,8 +180,8 @@ def formula_fault(
         scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", help, "formula")
     elif names_unit(wrong):
         other = next((name for name in letters if name.lower() == wrong.lower()), "")
-        help = f"did you mean `{other}`? else {{}}" if other else "{}"
-        help = help.format(f"write `2 {wrong}`, or choose a letter for it")
+        choice = f"write `2 {wrong}`, or choose a letter for it"
+        help = Hint(f"did you mean `{other}`? else {choice}", other) if other else choice
         scope.fault(span, f"`{wrong}` is a unit without a number", help, "unit", cause=f"{UNKNOWN}{wrong}")
     else:
         scope.unknown(span, wrong, "letter", [*letters, *want.words], "givens")
@@ -219,13 +219,31 @@ def written_nothing(scope: Scope, formula: Formula, want: Want) -> bool:
         return False
 
 
+OPERATORS = str.maketrans("+-*/^()", "\n" * 7)
+
+
+def plainly_made(text: str, letters: Container[str]) -> bool:
+    """Whether a text is made of names and numbers with an operator between any two of them, `2*M`, `L*cos(theta)`, or is a known letter."""
+    pieces = [piece for part in text.translate(OPERATORS).split("\n") if (piece := part.strip())]
+    names = [piece for piece in pieces if piece.replace(".", "").isidentifier()]
+    known = all(name in letters for name in names)  # beside a unit a name may be one too: `3 m/s2`
+    made = known or (len(pieces) > 1 and not any(" " in piece for piece in pieces))
+    return made and bool(names) and all(piece in names or is_figures(piece) for piece in pieces)
+
+
+def is_figures(piece: str) -> bool:
+    """Whether a piece is a number in figures, `12` or `0.5`, perhaps with one unit, `90 deg`."""
+    number, _, unit = piece.partition(" ")
+    return number.isascii() and number.replace(".", "", 1).isdigit() and (not unit or names_unit(unit))
+
+
 def told_foreign(scope: Scope, node: Text) -> bool:
     """Whether a value is one elsewhere, which is said: `12,5 kg`, `1_000`, `.inf`."""
-    from rotsolve.scene.foreign import foreign_value  # only what is no plain value pays for it
-
     text = node.value.strip()
-    if text in scope.givens:
+    if plainly_made(text, scope.givens):
         return False
+    from rotsolve.scene.foreign import foreign_value  # its patterns take 3 ms to be compiled
+
     if (told := foreign_value(text, scope.givens)) is not None:
         scope.fault(node, *told, "number")
         return True
@@ -234,7 +252,7 @@ def told_foreign(scope: Scope, node: Text) -> bool:
     try:
         parse_quantity(node.value)
     except UnitError as error:
-        scope.fault(node, error.message, f"did you mean `{error.suggestion}`?" if error.suggestion else "", "unit")
+        scope.fault(node, error.message, did_you_mean(error.suggestion), "unit")
         return True
     return False
 

@@ -153,7 +153,7 @@ def test_heavy_packages_are_imported_by_the_step_that_needs_them(path: Path) -> 
 
 @pytest.mark.parametrize("path", FILES, ids=name)
 def test_only_known_packages_are_imported(path: Path) -> None:
-    ours = {"rotsolve", "sympy", "typer", "yaml", "rich", "flint", "msgspec", "pebble"}
+    ours = {"rotsolve", "sympy", "typer", "yaml", "rich", "flint", "msgspec", "pebble", "markdown_it"}
     ours |= {"numpy", "dask", "matplotlib", "pandas", "typst", "pygls", "lsprotocol", "distributed", "pyarrow"}
     known = ours | set(sys.stdlib_module_names)
     assert {module.partition(".")[0] for module, _ in imported(path, late=True)} <= known

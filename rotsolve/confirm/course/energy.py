@@ -44,7 +44,7 @@ def by_energy(first: Node, state: State) -> Node | None:
         return None
     whole = rate_energy(first, first.placed.speed) + stored(first)
     q, before, done, looks = list(first.placed.q), first, 0.0, list[tuple[float, Node]]()
-    for part in parts_of(first, line, goal - start):
+    for part in parts_of_way(first, line, goal - start):
         found = placed_at(first, q, line, start + part * (goal - start))
         if found is None:
             return None
@@ -124,7 +124,7 @@ def tightest(looks: Sequence[tuple[float, Node]]) -> Iterator[tuple[tuple[str, s
                 yield key, low, high, nodes[parts[parts.index(low) + 1]]
 
 
-def parts_of(first: Node, line: Condition, gap: float) -> Sequence[float]:
+def parts_of_way(first: Node, line: Condition, gap: float) -> Sequence[float]:
     """Shares of the way at which it is looked how it goes: at eighths where something only pushes, of angles at each radian."""
     pushes = any(row.push for row in first.moment.rows.values())
     looks = max(LOOKS if pushes else 0, math.ceil(abs(gap)) if line.path and line.path.quantity == "angle" else 0)
