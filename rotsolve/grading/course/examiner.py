@@ -12,13 +12,15 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.derivation.requirements import ROOT
-from rotsolve.grading.course.report.student import Task
+from rotsolve.grading.course.questions import Task
 from rotsolve.grading.verdict import Marked, Paper
+from rotsolve.language.problem import Problem
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
 from rotsolve.scene.read import read_source
 
 if TYPE_CHECKING:
+    from rotsolve.core.derivation import Answer
     from rotsolve.grading.marking.explaining import Wrong
     from rotsolve.grading.marking.judge import Judge
     from rotsolve.grading.mistakes.table import WrongAnswers
@@ -82,12 +84,15 @@ def variant_of(paper: Paper) -> int:
 class Judges:
     """The judge of the scene as it stands, and of each variant by its number."""
 
-    def __init__(self, scene: str | os.PathLike[str], seed: int, count: int | None) -> None:
+    def __init__(self, scene: str | os.PathLike[str] | Problem, seed: int, count: int | None) -> None:
         self.seed, self.count = seed, count
-        self.problem = read_source(scene)
+        self.problem = scene if isinstance(scene, Problem) else read_source(scene)
         self.solution = solve_problem(self.problem).complete()
         self._wrong: WrongAnswers | None = None
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
+        self.right: dict[
+            int, tuple[Answer, ...]
+        ] = {}  # the answers to the variants that were asked for, 0 for the scene as it stands
 
     @property
     def task(self) -> Task:
@@ -104,6 +109,7 @@ class Judges:
     def judge(self, number: int) -> Judge:
         """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
         if number == 0:
+            self.right[0] = self.solution.derivation.answers
             return marker_of(self.solution)
         if self.problem.vary is None:
             raise NotMarked("the problem has no `vary`, so there are no variants of it")
@@ -120,6 +126,7 @@ class Judges:
         if worked is None:
             raise NotMarked("there are no variants that can be used")
         solution = self.varied(worked)
+        self.right[number] = solution.derivation.answers
         return marker_of(solution, self.wrong_for(solution) if self.alike(solution) else None)
 
     @cached_property
