@@ -64,6 +64,7 @@ def run_check(request: CheckRequest) -> int:
         examination = Examination.of_file(scene, request.seed, request.variants)
     except Exception as error:
         return refuse_check(failure_outcome(request.problem, error).message)
+    examination.shows_right = request.shows_right
     try:
         if request.of_class:
             from rotsolve.grading.course.many import check_class
@@ -98,7 +99,6 @@ def check_one(request: CheckRequest, examination: Examination) -> int:
         task, marked = answered(task, marked)
     elif examination.varies and not variant:
         print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
-    marked = marked if request.shows_right else replace(marked, right=())
     page = StudentPage(task, marked, Student(papers[0].student), variant)
     failed = show_page(page, request, request.output)
     return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)

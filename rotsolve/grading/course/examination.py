@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -15,6 +15,7 @@ from rotsolve.grading.course.examiner import Judges, attempted, mark_papers, var
 from rotsolve.grading.course.questions import SheetTask, Task
 from rotsolve.grading.verdict import NOT_MARKED, JudgedPart, Marked, Paper, Remark, Verdict
 from rotsolve.language.marks import marking_of
+from rotsolve.page.blocks import AnswerRow
 from rotsolve.page.text import plain_text
 
 if TYPE_CHECKING:
@@ -23,14 +24,25 @@ if TYPE_CHECKING:
 
 UNMARKED = "unmarked"  # the kind of the remark why a paper has no marks
 SHEET = "sheet"  # the kind of the fault of a scene that is a sheet of problems
-Right = Mapping[int, "tuple[Answer, ...]"]  # the right answers of a problem, by the number of the variant
+DIGITS = 4  # of a right answer
+
+
+class RightAnswer(Struct, frozen=True):
+    """A right answer as pages show it, a row for each of its cases, and for programs."""
+
+    name: str
+    rows: tuple[AnswerRow, ...]
+    data: dict[str, Any]
+
+
+Right = Mapping[int, tuple[RightAnswer, ...]]  # the right answers of a problem, by the number of the variant
 
 
 class MarkedSheet(Struct, frozen=True):
     """All papers of one student, marked, in the order of the problems; the right answers of each where they are to be shown."""
 
     problems: tuple[Marked, ...]
-    right: tuple[tuple[Answer, ...], ...] = ()
+    right: tuple[tuple[RightAnswer, ...], ...] = ()
 
     @property
     def parts(self) -> tuple[JudgedPart, ...]:
@@ -54,7 +66,8 @@ class Examination:
     """The problems of a scene or a sheet, each with its judges. Raises SceneError and Unsolvable where one can't be marked by."""
 
     def __init__(self, judges: Sequence[Judges], sheet: ProblemSet | None = None) -> None:
-        self.judges, self.sheet = tuple(judges), sheet
+        self.judges = tuple(judges)
+        self.shows_right = False  # whether marked papers come with the right answers
         for one in self.judges:
             hold_to_checks(one)
         if sheet is None:
@@ -87,11 +100,11 @@ class Examination:
         return self.judges[0].seed if self.varies else None
 
     def mark(
-        self, papers: Sequence[Sequence[Paper | None] | None], jobs: int, tell: Callable[[float], None]
+        self, papers: Sequence[Sequence[Paper] | None], jobs: int, tell: Callable[[float], None]
     ) -> list[MarkedSheet]:
         """The papers of all students, marked, by so many processes, telling how much is done; of one without papers nothing is marked."""
         found: list[list[Marked]] = [[unmarked(task) for task in self.task.tasks] for _ in papers]
-        right: list[list[tuple[Answer, ...]]] = [[() for _ in self.task.tasks] for _ in papers]
+        right: list[list[tuple[RightAnswer, ...]]] = [[() for _ in self.task.tasks] for _ in papers]
         chunks = [chunk for place in range(len(self.judges)) for chunk in self.chunks(place, papers, jobs)]
         for done, (chunk, marked, answers) in enumerate(self.marked_chunks(chunks, jobs), 1):
             task = self.task.tasks[chunk.place]
@@ -108,23 +121,23 @@ class Examination:
         for judges, task, paper in zip(self.judges, self.task.tasks, papers, strict=True):
             number = 0 if self.stands_alone(judges) else variant_of(paper)
             found.append(in_order(judges.judge(number).mark(paper), task))
-            right.append(judges.right[number])
+            right.append(right_answers(judges.right[number]) if self.shows_right else ())
         return MarkedSheet(tuple(found), tuple(right))
 
     def stands_alone(self, judges: Judges) -> bool:
         """Whether a problem has the same numbers for all, though others vary."""
         return self.varies and judges.problem.vary is None
 
-    def chunks(self, place: int, papers: Sequence[Sequence[Paper | None] | None], jobs: int) -> Iterator[Chunk]:
+    def chunks(self, place: int, papers: Sequence[Sequence[Paper] | None], jobs: int) -> Iterator[Chunk]:
         """The papers of one problem, in as many parts as there are processes, each of variants that follow each other."""
         judges = self.judges[place]
         alone = self.stands_alone(judges)
-        whole = [(student, own[place]) for student, own in enumerate(papers) if own is not None]
-        own = [(student, replace(one, variant="") if alone else one) for student, one in whole if one is not None]
+        own = [(student, own[place]) for student, own in enumerate(papers) if own is not None]
+        own = [(student, replace(one, variant="") if alone else one) for student, one in own]
         own.sort(key=lambda item: told_variant(item[1]))
         size = -(-len(own) // jobs) or 1
         for start in range(0, len(own), size):
-            yield Chunk(place, tuple(own[start : start + size]))
+            yield Chunk(place, tuple(own[start : start + size]), self.shows_right)
 
     def marked_chunks(self, chunks: Sequence[Chunk], jobs: int) -> Iterator[tuple[Chunk, list[Done], Right]]:
         """Each chunk with what came of it, in their order."""
@@ -142,6 +155,7 @@ class Chunk(Struct, frozen=True):
 
     place: int
     papers: tuple[tuple[int, Paper], ...]
+    shows_right: bool = False
 
 
 Done = tuple[
@@ -156,7 +170,16 @@ def marked_chunk(chunk: Chunk, judges: Judges) -> tuple[list[Done], Right]:
         (chunk.papers[index][0], marked, told_variant(papers[index]))
         for index, marked in mark_papers(papers, judges.judge)
     ]
-    return found, dict(judges.right)
+    right = {number: right_answers(own) for number, own in judges.right.items()} if chunk.shows_right else {}
+    return found, right
+
+
+def right_answers(answers: Sequence[Answer]) -> tuple[RightAnswer, ...]:
+    """Answers as they are shown."""
+    from rotsolve.page.data import answer_data
+    from rotsolve.page.values import answer_rows
+
+    return tuple(RightAnswer(one.name, tuple(answer_rows(one, DIGITS)), answer_data(one, DIGITS)) for one in answers)
 
 
 def told_variant(paper: Paper) -> int:

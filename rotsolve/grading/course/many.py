@@ -24,6 +24,10 @@ from rotsolve.page.text import plain_text
 from rotsolve.run import advancing, same_file
 from rotsolve.run.delivery import write_file
 
+TOLD = {
+    MOODLE: "Moodle finds students by their number, email address or user name, which the class does not tell",
+    CANVAS: "Canvas finds students by their number, user name or name, which the class does not tell",
+}
 HTML = "html"  # the pages of a report, where nothing else is asked for
 
 
@@ -96,7 +100,6 @@ def marked_course(
         marked = examination.mark([entry.papers for entry in entries], request.jobs, tell)
     results = []
     for place, (entry, name, sheet) in enumerate(zip(entries, names, marked, strict=True)):
-        sheet = sheet if request.shows_right else replace(sheet, right=())
         own = tuple(by_hand.get(place, ()))
         results.append(Result(entry, name, with_overrides(sheet, own), own))
     return MarkedClass(examination.task, handed.columns, tuple(results), handed.byte_order_mark, examination.seed)
@@ -107,7 +110,7 @@ def with_variant(holder: Holder, variant: int | None) -> Entry:
     entry = holder.counting
     if entry.papers is None or entry.variant or variant is None:
         return entry
-    papers = tuple(paper and replace(paper, variant=str(variant)) for paper in entry.papers)
+    papers = tuple(replace(paper, variant=str(variant)) for paper in entry.papers)
     return replace(entry, papers=papers, variant=str(variant))
 
 
@@ -133,7 +136,9 @@ def left_out(course: MarkedClass) -> Iterator[str]:
     """How many are not in the tables for gradebooks, and why."""
     for name, kept in ((MOODLE, known_to_moodle(course)), (CANVAS, known_to_canvas(course))):
         left = len(course.results) - len(kept)
-        if left:
+        if not kept and with_all_marks(course):
+            yield f"{name} is empty: {TOLD[name]}."
+        elif left:
             waiting = len(course.results) - len(with_all_marks(course))
             reasons = [f"{waiting} with marks still to be given"] if waiting else []
             reasons += [f"{left - waiting} whom nothing tells from others there"] if left > waiting else []

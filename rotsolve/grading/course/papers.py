@@ -28,9 +28,8 @@ from rotsolve.run.delivery import harmless
 PAPERS = "papers.csv"
 WHOSE = ("name", "number", "email", "login", "section", "canvas")  # columns, and fields of a student
 FILE, LINE, VARIANT, UNREAD, REMARKS, WORKING = "file", "line", "variant", "not marked", "remarks", "working"
-PROBLEMS = "problems"  # on a sheet, those that the file had columns of
+HELD = "columns"  # the answers that the file had columns of
 BETWEEN = "; "  # two lines of working
-NOTHING = Paper("", {})
 
 
 class Holder(Struct):
@@ -42,29 +41,37 @@ class Holder(Struct):
 
     @property
     def counting(self) -> Entry:
-        """What counts: of each problem the last paper that can be read, with the last variant that was told before; and what is to be
-        said of the others."""
-        papers, variant, said = dict[int, Paper](), "", list[str]()
+        """What counts: the last answers that can be read, with the last variant that was told before; and what is to be said of others."""
+        variant, said = "", list[str]()
+        papers: tuple[Paper, ...] | None = None
         read = [row for row in self.rows if row.papers is not None]
         last = (read or self.rows)[-1]
         for place, row in enumerate(self.rows):
-            own = {number: paper for number, paper in enumerate(row.papers or ()) if paper is not None}
             variant = row.variant or variant
-            told = {number: replace(paper, variant=paper.variant or variant) for number, paper in own.items()}
-            if row is not last and any(shares_problem(row, later) for later in self.rows[place + 1 :]):
-                said.append(f"handed in before, in {named_row(row, last)}: the later paper counts")
-            elif row.papers is None and read and read[0] in self.rows[:place]:
-                said.append(f"a later paper, in {named_row(row, last)}, can't be read: {BETWEEN.join(row.remarks)}")
-            papers |= told
-        whole = None if last.papers is None else tuple(papers.get(place, NOTHING) for place in range(len(last.papers)))
+            if row.papers is None:
+                if papers is not None:
+                    said.append(f"a later paper, in {named_row(row, last)}, can't be read: {BETWEEN.join(row.remarks)}")
+                continue
+            own = tuple(replace(paper, variant=paper.variant or variant) for paper in row.papers)
+            papers = own if papers is None else tuple(map(followed_by, papers, own))
+            if any(replaces(later, row) for later in self.rows[place + 1 :]):
+                said.append(f"handed in before, in {named_row(row, last)}: the later answers count")
         remarks = (*last.remarks, *said, *self.remarks)
-        return replace(last, student=self.student, papers=whole, remarks=remarks, variant=last.variant or variant)
+        return replace(last, student=self.student, papers=papers, remarks=remarks, variant=last.variant or variant)
 
 
-def shares_problem(one: Entry, other: Entry) -> bool:
-    """Whether both have a paper to the same problem."""
-    pairs = zip(one.papers or (), other.papers or (), strict=False)
-    return any(left is not None and right is not None for left, right in pairs)
+def followed_by(paper: Paper, later: Paper) -> Paper:
+    """A paper with what a later one says; of an answer that the later table has no column of, the earlier one stands."""
+    if not later.answers and not later.working:
+        return paper
+    return replace(later, answers={**paper.answers, **later.answers}, working=later.working or paper.working)
+
+
+def replaces(later: Entry, entry: Entry) -> bool:
+    """Whether a later row says something else of an answer that both have."""
+    pairs = zip(entry.papers or (), later.papers or (), strict=False)
+    shared = ((one, other, name) for one, other in pairs for name in one.answers.keys() & other.answers.keys())
+    return any(one.answers[name] != other.answers[name] for one, other, name in shared)
 
 
 def named_row(entry: Entry, beside: Entry) -> str:
@@ -175,25 +182,29 @@ def papers_table(rows: Sequence[Entry], sheet: SheetTask, separator: str, mark: 
     columns = columns_of_papers(sheet)
     text = StringIO()
     writer = csv.writer(text, delimiter=separator, lineterminator="\n")
-    held = [PROBLEMS] if sheet.is_sheet else []
-    writer.writerow([FILE, LINE, *WHOSE, VARIANT, *held, *columns, UNREAD, REMARKS])
+    writer.writerow([FILE, LINE, *WHOSE, VARIANT, HELD, *columns, UNREAD, REMARKS])
     for entry in rows:
         whose = [getattr(entry.student, kind) for kind in WHOSE]
         said = [cell_of(entry.papers, what) for what in columns.values()]
         unread = "" if entry.papers is not None else "yes"
-        names = [task.name for task, paper in zip(sheet.tasks, entry.papers or (), strict=False) if paper is not None]
-        head = [entry.file, str(entry.line), *whose, entry.variant, *([" ".join(names)] if held else [])]
-        row = [*head, *said, unread, BETWEEN.join(entry.remarks)]
+        held = " ".join(key for key, what in columns.items() if is_held(entry.papers, what))
+        row = [entry.file, str(entry.line), *whose, entry.variant, held, *said, unread, BETWEEN.join(entry.remarks)]
         writer.writerow([harmless(cell) for cell in row])
     return mark + text.getvalue()
 
 
-def cell_of(papers: Sequence[Paper | None] | None, what: Asked | int) -> str:
+def is_held(papers: Sequence[Paper] | None, what: Asked | int) -> bool:
+    """Whether the table of a row had a column of an answer."""
+    return papers is not None and not isinstance(what, int) and what[1] in papers[what[0]].answers
+
+
+def cell_of(papers: Sequence[Paper] | None, what: Asked | int) -> str:
     """An answer, or the working of a problem."""
-    paper = None if papers is None else papers[what if isinstance(what, int) else what[0]]
-    if paper is None:
+    if papers is None:
         return ""
-    return BETWEEN.join(paper.working) if isinstance(what, int) else paper.answers.get(what[1], "")
+    if isinstance(what, int):
+        return BETWEEN.join(papers[what].working)
+    return papers[what[0]].answers.get(what[1], "")
 
 
 def read_papers(folder: Path, sheet: SheetTask) -> list[Entry]:
@@ -204,7 +215,7 @@ def read_papers(folder: Path, sheet: SheetTask) -> list[Entry]:
     text = content_of(str(path)).removeprefix(MARK)
     lines = text.split("\n")
     wanted = columns_of_papers(sheet)
-    known = {FILE, LINE, *WHOSE, VARIANT, PROBLEMS, *wanted, UNREAD, REMARKS}
+    known = {FILE, LINE, *WHOSE, VARIANT, HELD, *wanted, UNREAD, REMARKS}
     heads = (next(csv.reader(lines[:1], delimiter=sign), []) for sign in SEPARATORS)
     separator, head = max(zip(SEPARATORS, heads, strict=True), key=lambda item: len(known.intersection(item[1])))
     strange = next((cell for cell in head if cell not in known), None)
@@ -249,16 +260,15 @@ def entries_kept(
 
 def kept_papers(
     row: Mapping[str, str], wanted: Mapping[str, Asked | int], sheet: SheetTask, student: Student, variant: str
-) -> Iterator[Paper | None]:
-    """The papers of a row, one for each problem that its file had."""
-    held = row.get(PROBLEMS, "").split()
-    for place, task in enumerate(sheet.tasks):
+) -> Iterator[Paper]:
+    """The papers of a row, one for each problem."""
+    held = row.get(HELD, "").split()
+    for place in range(len(sheet.tasks)):
         answers = {
-            what[1]: row[key]
+            what[1]: row.get(key, "")
             for key, what in wanted.items()
-            if not isinstance(what, int) and what[0] == place and row.get(key)
+            if not isinstance(what, int) and what[0] == place and (row.get(key) or key in held)
         }
         working = row.get(sheet.key((place, WORKING), short=True), "")
         lines = tuple(part.strip() for part in working.split(";") if part.strip())
-        absent = sheet.is_sheet and task.name not in held and not answers and not lines
-        yield None if absent else Paper(student.called, answers, lines, variant)
+        yield Paper(student.called, answers, lines, variant)

@@ -46,12 +46,14 @@ NO_STUDENT = "points possible"  # begins a row of Canvas that says how many mark
 
 
 class Entry(Struct, frozen=True):
-    """A row: where it begins, whose it is, its papers if they can be marked, one for each problem that the table has, and what is to be
-    said of it."""
+    """A row: where it begins, whose it is, its papers if they can be marked, one for each problem, and what is to be said of it.
+
+    A paper has the answers that the table has columns of, '' where the cell is empty.
+    """
 
     line: int
     student: Student
-    papers: tuple[Paper | None, ...] | None
+    papers: tuple[Paper, ...] | None
     remarks: tuple[str, ...] = ()
     variant: str = ""
     file: str = ""
@@ -109,13 +111,13 @@ def table_entries(lines: Sequence[str], start: int, found: Columns, sheet: Sheet
             cells = next(reader)
             height = reader.line_num
         except csv.Error as error:
-            cells = next(
-                csv.reader([lines[place][:HIGHEST]], delimiter=found.separator), []
-            )  # as far as it tells whose it is
+            cells = [
+                text.strip('" ') for text in lines[place][:HIGHEST].split(found.separator)
+            ]  # they may tell whose it is
             yield Entry(place + 1, student_of(cells, found.people), None, (csv_complaint(error),))
             height = 1
         else:
-            if not cells[0].strip().lower().startswith(NO_STUDENT):
+            if not (cells and cells[0].strip().lower().startswith(NO_STUDENT)):
                 yield row_entry(place + 1, cells, found, sheet)
         place += height
 
@@ -154,7 +156,7 @@ def row_entry(line: int, cells: Sequence[str], found: Columns, sheet: SheetTask)
     if any(len(text) > LONGEST for text in cells):
         return Entry(line, student, None, (f"a cell has more than {LONGEST} characters",), variant)
     read = [paper_in_row(place, cells, found, sheet) for place in range(len(sheet.tasks))]
-    papers = tuple(paper and replace(paper, student=student.called, variant=variant) for paper in read)
+    papers = tuple(replace(paper, student=student.called, variant=variant) for paper in read)
     return Entry(line, student, papers, tuple(row_remarks(student, cells, found, sheet)), variant)
 
 
@@ -171,10 +173,8 @@ def row_remarks(student: Student, cells: Sequence[str], found: Columns, sheet: S
         yield f"the row ends before {', '.join(beyond)}"
 
 
-def paper_in_row(place: int, cells: Sequence[str], found: Columns, sheet: SheetTask) -> Paper | None:
-    """What a row has of one problem; None where the table has nothing of it."""
-    if place not in found.workings and not any(asked[0] == place for asked in found.answers):
-        return None
+def paper_in_row(place: int, cells: Sequence[str], found: Columns, sheet: SheetTask) -> Paper:
+    """What a row has of one problem."""
     task = sheet.tasks[place]
     texts = {
         asked: " ".join(plain_cell(cells, column).split("\n"))
@@ -187,7 +187,9 @@ def paper_in_row(place: int, cells: Sequence[str], found: Columns, sheet: SheetT
     named = {name: text for (_, name), text in texts.items()}
     working = plain_cell(cells, found.workings.get(place))
     lines = tuple(part.strip() for part in re.split(r"[\n;]", working) if part.strip())
-    return Paper("", as_whole_vectors(named, tuple(task.letters), task.parts), lines)
+    whole = as_whole_vectors(named, tuple(task.letters), task.parts)
+    held = {task.parts.get(name, name) for number, name in found.answers if number == place}
+    return Paper("", {name: whole.get(name, "") for name in task.letters if name in held}, lines)
 
 
 def cut_decimal(cells: Sequence[str], found: Columns) -> str:

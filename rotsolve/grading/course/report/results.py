@@ -63,7 +63,6 @@ class MarkedClass(Struct, frozen=True):
     byte_order_mark: bool = False
     seed: int | None = None
     merged: tuple[str, ...] = ()  # what is to be said of papers of earlier runs
-    shows_right: bool = False  # whether students' pages have the right answers
 
     @property
     def papers(self) -> list[MarkedSheet]:

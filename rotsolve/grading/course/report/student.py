@@ -36,13 +36,10 @@ from rotsolve.page.blocks import (
     Phrase,
     Title,
 )
-from rotsolve.page.data import answer_data
 from rotsolve.page.text import plain_text
-from rotsolve.page.values import answer_rows
 
 TONES = {RIGHT: GOOD, WRONG: BAD, NO_ANSWER: BAD}
 FIRST = "wrong, here first"
-DIGITS = 4  # of a right answer
 
 
 class StudentPage(Page, frozen=True):
@@ -86,7 +83,7 @@ class StudentPage(Page, frozen=True):
         right = self.sheet.right[place] if self.sheet.right else ()
         if right:
             yield Title(below, ("Right answers",), minor=below > 2)
-            yield Answers(tuple(row for answer in right for row in answer_rows(answer, DIGITS)))
+            yield Answers(tuple(row for answer in right for row in answer.rows))
         if not self.task.is_sheet:
             yield Title(2, ("Marks",))
         yield Paragraph((sum_of_marks(marked),))
@@ -161,7 +158,7 @@ def paper_data(sheet: MarkedSheet, place: int) -> dict[str, Any]:
     lines = [
         {"text": line.text, **verdict_data(line.verdict), "first_wrong": line.first_wrong} for line in marked.lines
     ]
-    told = [answer_data(answer, DIGITS) for answer in right]
+    told = [answer.data for answer in right]
     return {
         "answers": [part_data(part) for part in marked.parts],
         "working": lines,

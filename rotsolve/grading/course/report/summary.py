@@ -66,7 +66,8 @@ class SummaryPage(Page, frozen=True):
 
 def result_data(course: MarkedClass, result: Result) -> dict[str, Any]:
     """A student of a class: the row and what is said of it, and, where it was marked, the papers."""
-    row = {"line": result.entry.line, "remarks": list(result.entry.remarks)}
+    said = [*result.entry.remarks, *map(plain_text, result.unmarked(course.task))]
+    row = {"line": result.entry.line, "remarks": said}
     if not result.is_marked:
         number = {"number": result.student.number} if result.student.number else {}
         return {"student": result.student.called, **number, "variant": result.variant, "marked": False, **row}
@@ -219,9 +220,10 @@ def to_be_looked_at(course: MarkedClass) -> Iterator[Paragraph | Table]:
 
 
 def without_column(course: MarkedClass) -> Iterator[Paragraph]:
-    """Answers that no column holds."""
-    held = course.columns.answers.keys()
-    whole = {(place, course.task.tasks[place].parts.get(name, name)) for place, name in held}
+    """Answers that no column holds, of this table or of one before."""
+    whole = {(place, course.task.tasks[place].parts.get(name, name)) for place, name in course.columns.answers}
+    papers = (paper for result in course.results for paper in enumerate(result.entry.papers or ()))
+    whole |= {(place, name) for place, paper in papers for name in paper.answers}
     absent = [course.task.key(asked) for asked in course.task.asked() if asked not in whole]
     if absent:
         yield Paragraph((f"No column is named {', '.join(absent)}.",))
