@@ -150,7 +150,7 @@ def analysed(course: MarkedClass) -> Iterator[PageBlock]:
     figures = part_figures(complete, course.task)
     if len(complete) < 2 or not figures:
         return
-    said = f"By the {len(complete)} papers of which every answer has its marks."
+    said = f"By the {len(complete)} papers of which every answer has its marks. A bar is the mean share of the marks of an answer."
     yield Paragraph((f"{said} {CHANCE}" if len(complete) < FEW else said,))
     bars = (Bar(course.task.heading(one.asked), one.share, percent(one.share)) for one in figures)
     yield Bars("Mean share of the marks of each answer", ("answer", "mean share"), tuple(bars), Fraction(1))
