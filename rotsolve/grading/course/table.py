@@ -114,7 +114,8 @@ def table_entries(lines: Sequence[str], start: int, found: Columns, sheet: Sheet
             cells = [
                 text.strip('" ') for text in lines[place][:HIGHEST].split(found.separator)
             ]  # they may tell whose it is
-            yield Entry(place + 1, student_of(cells, found.people), None, (csv_complaint(error),))
+            known = student_of(cells, found.people)
+            yield Entry(place + 1, Student(known.name, known.number), None, (csv_complaint(error),))
             height = 1
         else:
             if not (cells and cells[0].strip().lower().startswith(NO_STUDENT)):

@@ -95,7 +95,8 @@ def marks_table(course: MarkedClass) -> str:
     file = ["file"] if len(course.files) > 1 else []
     writer.writerow([*file, "line", "student", "number", "variant", *answers, *problems, "marks", "of", "remarks"])
     for result in course.results:
-        whose = [str(result.entry.line), result.student.name, result.student.number, result.variant]
+        called = result.name if result.student.called else ""
+        whose = [str(result.entry.line), called, result.student.number, result.variant]
         head = [result.entry.file, *whose] if file else whose
         numbers = [cell.replace(".", POINT.get(separator, ".")) for cell in outcomes_and_marks(course, result)]
         writer.writerow([*map(one_line, head), *numbers, one_line(all_remarks(course, result))])

@@ -42,7 +42,7 @@ def shared(results: Sequence[Result], kind: str) -> frozenset[str]:
 def identity_for_moodle(course: MarkedClass) -> str:
     """The column by which most students can be found."""
     assert MOODLE_HEADS.keys() == {*IDENTITIES}
-    return max(MOODLE_HEADS, key=lambda kind: sum(bool(getattr(one.student, kind)) for one in course.results))
+    return max(MOODLE_HEADS, key=lambda kind: sum(bool(getattr(one.student, kind)) for one in with_all_marks(course)))
 
 
 def known_to_moodle(course: MarkedClass) -> list[Result]:

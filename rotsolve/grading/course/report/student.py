@@ -84,9 +84,11 @@ class StudentPage(Page, frozen=True):
         if right:
             yield Title(below, ("Right answers",), minor=below > 2)
             yield Answers(tuple(row for answer in right for row in answer.rows))
-        if not self.task.is_sheet:
+        if self.task.is_sheet:
+            yield Paragraph((f"Marks: {sum_of_marks(marked)}",))
+        else:
             yield Title(2, ("Marks",))
-        yield Paragraph((sum_of_marks(marked),))
+            yield Paragraph((sum_of_marks(marked),))
 
     def data(self) -> dict[str, Any]:
         return {**title_data(self.task), **marked_data(self.task, self.sheet, self.student, self.variant)}
@@ -101,7 +103,7 @@ def sum_of_marks(marked: Marked | MarkedSheet) -> str:
 
 def judged_answer(task: Task, part: JudgedPart) -> AssessedText:
     """One answer, with the label of its part on a sheet."""
-    label = f"({task.labels[part.name]})\N{NO-BREAK SPACE}" if len(task.labels) > 1 else ""
+    label = f"({task.labels[part.name]}) " if len(task.labels) > 1 else ""
     words = (label, *task.letter(part.name)) if label else task.letter(part.name)
     text = "" if part.verdict.outcome == NO_ANSWER else part.text
     return judged_text(words, text, part.verdict, part.verdict.outcome, marks_of(part.marks, part.of))
