@@ -19,7 +19,7 @@ SIZE = 10.0  # of the letters
 SPACE = 7.0  # points between a label and its bar
 
 
-class Bar(Struct, frozen=True):
+class LabelledBar(Struct, frozen=True):
     """A label, a number that is not negative, and how the number is printed."""
 
     label: str
@@ -32,10 +32,10 @@ class Bars(PageBlock, frozen=True):
 
     title: str
     heads: tuple[str, str]
-    rows: tuple[Bar, ...]
+    rows: tuple[LabelledBar, ...]
     most: Fraction
 
-    def part(self, row: Bar) -> Fraction:
+    def part(self, row: LabelledBar) -> Fraction:
         """How long a bar is, as a part of the longest that there can be."""
         return row.value / self.most if self.most else Fraction(0)
 

@@ -11,7 +11,7 @@ from statistics import StatisticsError, correlation, mean
 
 from msgspec import Struct
 
-from rotsolve.grading.course.examination import MarkedSheet
+from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import Asked, SheetTask
 from rotsolve.grading.verdict import OPEN_OUTCOMES
 

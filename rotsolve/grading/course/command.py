@@ -9,8 +9,9 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.grading.course.by_problem import papers_of_answers, read_papers_of_student
-from rotsolve.grading.course.examination import Examination, MarkedSheet
+from rotsolve.grading.course.examination import Examination
 from rotsolve.grading.course.examiner import NotMarked
+from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.student import StudentPage
 from rotsolve.grading.course.sheet import HandedInError, content_of
@@ -96,7 +97,7 @@ def check_one(request: CheckRequest, examination: Examination) -> int:
     except NotMarked as reason:
         raise HandedInError([Fault(str(reason), None, "", "variant")], (), name_of(request.answers)) from None
     if request.typed:
-        task, marked = answered(task, marked)
+        task, marked = only_answered(task, marked)
     elif examination.varies and not variant:
         print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
     page = StudentPage(task, marked, Student(papers[0].student), variant)
@@ -104,7 +105,7 @@ def check_one(request: CheckRequest, examination: Examination) -> int:
     return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)
 
 
-def answered(task: SheetTask, marked: MarkedSheet) -> tuple[SheetTask, MarkedSheet]:
+def only_answered(task: SheetTask, marked: MarkedSheet) -> tuple[SheetTask, MarkedSheet]:
     """The papers without what was not answered, and what was asked of them."""
     kept = [place for place, one in enumerate(marked.problems) if any(part.text for part in one.parts)]
     problems = tuple(answered_problem(marked.problems[place]) for place in kept)

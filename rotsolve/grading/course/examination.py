@@ -2,64 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.grading.course.examiner import Judges, attempted, mark_papers, variant_of
+from rotsolve.grading.course.marked import UNMARKED, MarkedSheet, Right, RightAnswer
 from rotsolve.grading.course.questions import SheetTask, Task
 from rotsolve.grading.verdict import NOT_MARKED, JudgedPart, Marked, Paper, Remark, Verdict
 from rotsolve.language.marks import marking_of
-from rotsolve.page.blocks import AnswerRow
 from rotsolve.page.text import plain_text
 
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
+    from rotsolve.grading.course.examiner import Judges
     from rotsolve.keys.problem_set import ProblemSet
 
-UNMARKED = "unmarked"  # the kind of the remark why a paper has no marks
 SHEET = "sheet"  # the kind of the fault of a scene that is a sheet of problems
 DIGITS = 4  # of a right answer
-
-
-class RightAnswer(Struct, frozen=True):
-    """A right answer as pages show it, a row for each of its cases, and for programs."""
-
-    name: str
-    rows: tuple[AnswerRow, ...]
-    data: dict[str, Any]
-
-
-Right = Mapping[int, tuple[RightAnswer, ...]]  # the right answers of a problem, by the number of the variant
-
-
-class MarkedSheet(Struct, frozen=True):
-    """All papers of one student, marked, in the order of the problems; the right answers of each where they are to be shown."""
-
-    problems: tuple[Marked, ...]
-    right: tuple[tuple[RightAnswer, ...], ...] = ()
-
-    @property
-    def parts(self) -> tuple[JudgedPart, ...]:
-        """All answers, in the order of the problems."""
-        return tuple(part for one in self.problems for part in one.parts)
-
-    @property
-    def marks(self) -> Fraction:
-        return sum((one.marks for one in self.problems), Fraction(0))
-
-    @property
-    def of(self) -> Fraction:
-        return sum((one.of for one in self.problems), Fraction(0))
-
-    def outcomes(self) -> frozenset[str]:
-        """The states that its answers are in."""
-        return frozenset(part.verdict.outcome for part in self.parts)
 
 
 class Examination:
@@ -71,7 +35,7 @@ class Examination:
         for one in self.judges:
             hold_to_checks(one)
         if sheet is None:
-            tasks = tuple(with_points(one.task, one) for one in self.judges)
+            tasks = tuple(task_with_points(one.task, one) for one in self.judges)
             self.task = SheetTask(tasks[0].title, tasks)
         else:
             self.task = sheet_task(self.judges, sheet)
@@ -79,6 +43,8 @@ class Examination:
     @classmethod
     def of_file(cls, scene: str | PathLike[str], seed: int, count: int | None) -> Examination:
         """That of a scene, in a file or in a text, or of a sheet file."""
+        from rotsolve.grading.course.examiner import Judges
+
         try:
             return cls([Judges(scene, seed, count)])
         except SceneError as error:
@@ -109,7 +75,7 @@ class Examination:
         for done, (chunk, marked, answers) in enumerate(self.marked_chunks(chunks, jobs), 1):
             task = self.task.tasks[chunk.place]
             for student, one, number in marked:
-                marked_one = in_order(one, task) if isinstance(one, Marked) else unmarked(task, one)
+                marked_one = in_sheet_order(one, task) if isinstance(one, Marked) else unmarked(task, one)
                 found[student][chunk.place] = marked_one
                 right[student][chunk.place] = answers.get(number, ())
             tell(done / len(chunks))
@@ -117,10 +83,12 @@ class Examination:
 
     def mark_one(self, papers: Sequence[Paper]) -> MarkedSheet:
         """The papers of one student, marked. Raises NotMarked where there is no such variant."""
+        from rotsolve.grading.course.examiner import variant_of
+
         found, right = [], []
         for judges, task, paper in zip(self.judges, self.task.tasks, papers, strict=True):
             number = 0 if self.stands_alone(judges) else variant_of(paper)
-            found.append(in_order(judges.judge(number).mark(paper), task))
+            found.append(in_sheet_order(judges.judge(number).mark(paper), task))
             right.append(right_answers(judges.right[number]) if self.shows_right else ())
         return MarkedSheet(tuple(found), tuple(right))
 
@@ -165,6 +133,8 @@ Done = tuple[
 
 def marked_chunk(chunk: Chunk, judges: Judges) -> tuple[list[Done], Right]:
     """The papers of a chunk, marked, and the right answers to its variants."""
+    from rotsolve.grading.course.examiner import mark_papers
+
     papers = [paper for _, paper in chunk.papers]
     found = [
         (chunk.papers[index][0], marked, told_variant(papers[index]))
@@ -184,6 +154,8 @@ def right_answers(answers: Sequence[Answer]) -> tuple[RightAnswer, ...]:
 
 def told_variant(paper: Paper) -> int:
     """The number of a paper's variant, -1 where it tells one that is none."""
+    from rotsolve.grading.course.examiner import attempted, variant_of
+
     number = attempted(variant_of, paper)
     return number if isinstance(number, int) else -1
 
@@ -195,7 +167,7 @@ def hold_to_checks(judges: Judges) -> None:
             raise Unsolvable(f"its answers do not hold: {plain_text(found.words)}", file=judges.problem.file)
 
 
-def with_points(task: Task, judges: Judges) -> Task:
+def task_with_points(task: Task, judges: Judges) -> Task:
     """The task with the points of its answers."""
     marking = judges.problem.marking
     return replace(task, points={name: marking_of(marking, name).points for name in task.letters})
@@ -209,11 +181,11 @@ def sheet_task(judges: Sequence[Judges], sheet: ProblemSet) -> SheetTask:
     for one, own in zip(sheet.problems, judges, strict=True):
         labels, task = {part.name: part.label for part in parts_of(own.problem)}, own.task
         task = replace(task, letters={name: task.letters[name] for name in labels if name in task.letters})
-        tasks.append(replace(with_points(task, own), number=one.number, name=one.name, labels=labels))
+        tasks.append(replace(task_with_points(task, own), number=one.number, name=one.name, labels=labels))
     return SheetTask(sheet.title, tuple(tasks), is_sheet=True)
 
 
-def in_order(marked: Marked, task: Task) -> Marked:
+def in_sheet_order(marked: Marked, task: Task) -> Marked:
     """A paper with its answers in the order of the parts on the sheet."""
     parts = {part.name: part for part in marked.parts}
     return replace(marked, parts=tuple(parts[name] for name in task.letters))

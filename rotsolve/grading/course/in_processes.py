@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from pebble import ProcessExpired, ProcessPool
 
-from rotsolve.grading.course.examination import Chunk, Done, Right, marked_chunk
+from rotsolve.grading.course.examination import Chunk, Done, marked_chunk
 from rotsolve.grading.course.examiner import Judges
+from rotsolve.grading.course.marked import Right
 from rotsolve.language.problem import Problem
 from rotsolve.run.processes import how_it_ended, interrupts_held, prepare_process, process_context
 
@@ -19,7 +20,7 @@ def chunks_in_processes(
     pool = ProcessPool(min(jobs, len(chunks)), 0, prepare_process, context=process_context())
     try:
         with interrupts_held():  # the first chunk starts the processes
-            waiting = [pool.schedule(marked_here, (chunk, *told_of(judges[chunk.place]))) for chunk in chunks]
+            waiting = [pool.schedule(marked_here, (chunk, *needed_by_process(judges[chunk.place]))) for chunk in chunks]
         for chunk, future in zip(chunks, waiting, strict=True):
             try:
                 yield chunk, *future.result()
@@ -31,7 +32,7 @@ def chunks_in_processes(
         pool.join()
 
 
-def told_of(judges: Judges) -> tuple[Problem, int, int | None]:
+def needed_by_process(judges: Judges) -> tuple[Problem, int, int | None]:
     """All that another process has to know to judge as these do."""
     return judges.problem, judges.seed, judges.count
 

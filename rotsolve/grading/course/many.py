@@ -11,13 +11,13 @@ from msgspec.structs import replace
 from rotsolve.grading.course.command import ALL_RIGHT, BAD, NOT_ALL_RIGHT, CheckRequest, all_right, show_page
 from rotsolve.grading.course.examination import Examination
 from rotsolve.grading.course.overrides import OVERRIDES, read_overrides, with_overrides
-from rotsolve.grading.course.papers import PAPERS, Holder, Holders, papers_table, read_papers, with_file
+from rotsolve.grading.course.papers import PAPERS, KnownStudent, KnownStudents, papers_table, read_papers, with_file
 from rotsolve.grading.course.report.folder import MARKS, SUMMARY, byte_order, write_report
 from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, known_to_canvas, known_to_moodle, with_all_marks
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.summary import NAMED, SummaryPage, doubtful_variants, overview, without_column
 from rotsolve.grading.course.sheet import content_of
-from rotsolve.grading.course.students import told_apart
+from rotsolve.grading.course.students import names_apart
 from rotsolve.grading.course.table import Entry, Handed, read_table
 from rotsolve.page.formats import FORMATS, PAGES, format_named
 from rotsolve.page.text import plain_text
@@ -68,7 +68,7 @@ def report_objection(request: CheckRequest) -> str:
 
 def what_was_merged(earlier: Sequence[Entry], rows: Sequence[Entry], fresh: Sequence[Entry]) -> Iterator[str]:
     """What came of papers of earlier runs and those of this one."""
-    file, holders = fresh[0].file, Holders(rows).all
+    file, holders = fresh[0].file, KnownStudents(rows).all
     known = {entry.file for entry in earlier}
     own = [holder for holder in holders if any(entry.file == file for entry in holder.rows)]
     new = [holder for holder in own if all(entry.file == file for entry in holder.rows)]
@@ -92,8 +92,8 @@ def marked_course(
     request: CheckRequest, examination: Examination, handed: Handed, rows: Sequence[Entry]
 ) -> MarkedClass:
     """All students of a class, marked, with the marks by hand that the report has."""
-    entries = [with_variant(holder, request.variant) for holder in Holders(rows).all]
-    names = told_apart([(entry.student, entry.place) for entry in entries])
+    entries = [entry_with_variant(holder, request.variant) for holder in KnownStudents(rows).all]
+    names = names_apart([(entry.student, entry.place) for entry in entries])
     known = [(entry.student, name) for entry, name in zip(entries, names, strict=True)]
     by_hand = {} if request.output is None else read_overrides(Path(request.output), examination.task, known)
     with advancing("marking") as tell:
@@ -105,7 +105,7 @@ def marked_course(
     return MarkedClass(examination.task, handed.columns, tuple(results), handed.byte_order_mark, examination.seed)
 
 
-def with_variant(holder: Holder, variant: int | None) -> Entry:
+def entry_with_variant(holder: KnownStudent, variant: int | None) -> Entry:
     """The row of a student that counts; where it tells no variant, with that of the command line."""
     entry = holder.counting
     if entry.papers is None or entry.variant or variant is None:
@@ -126,13 +126,13 @@ def report_class(course: MarkedClass, request: CheckRequest, rows: Sequence[Entr
     if not failed:
         for paragraph in (*overview(course), *without_column(course), *doubtful_variants(course)):
             print(plain_text(paragraph.words))
-        for said in (*course.merged, *left_out(course)):
+        for said in (*course.merged, *absent_from_gradebooks(course)):
             print(said)
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")
     return failed
 
 
-def left_out(course: MarkedClass) -> Iterator[str]:
+def absent_from_gradebooks(course: MarkedClass) -> Iterator[str]:
     """How many are not in the tables for gradebooks, and why."""
     for name, kept in ((MOODLE, known_to_moodle(course)), (CANVAS, known_to_canvas(course))):
         left = len(course.results) - len(kept)

@@ -32,7 +32,7 @@ HELD = "columns"  # the answers that the file had columns of
 BETWEEN = "; "  # two lines of working
 
 
-class Holder(Struct):
+class KnownStudent(Struct):
     """A student with all rows that are theirs, in the order in which they were handed in."""
 
     student: Student
@@ -79,13 +79,13 @@ def named_row(entry: Entry, beside: Entry) -> str:
     return entry.place if entry.file == beside.file else f"{entry.place} of {entry.file}"
 
 
-class Holders:
+class KnownStudents:
     """The students of a class, by their rows."""
 
     def __init__(self, rows: Iterable[Entry]) -> None:
-        self.all: list[Holder] = []
-        self.by_identity: dict[tuple[str, str], Holder] = {}
-        self.by_words: dict[frozenset[str], list[Holder]] = {}
+        self.all: list[KnownStudent] = []
+        self.by_identity: dict[tuple[str, str], KnownStudent] = {}
+        self.by_words: dict[frozenset[str], list[KnownStudent]] = {}
         for _, own in groupby(rows, key=lambda entry: entry.file):
             self.add_file(list(own))
 
@@ -101,15 +101,15 @@ class Holders:
                 said = f"{self.shared(known.student, entry.student)} stands with two names: {{}}"
                 known.remarks.append(said.format(f"{entry.student.called}, in {named_row(entry, known.rows[0])}"))
                 own = said.format(f"{known.student.called}, in {named_row(known.rows[0], entry)}")
-                self.all.append(Holder(entry.student, [entry], [own]))
+                self.all.append(KnownStudent(entry.student, [entry], [own]))
             elif self.namesakes(entry.student, before):
                 alike.setdefault(entry.student.words, []).append(entry)
             else:
-                self.give(Holder(entry.student, []), entry)
+                self.give(KnownStudent(entry.student, []), entry)
         for same in alike.values():
             self.give_by_name(same, self.namesakes(same[0].student, before))
 
-    def give_by_name(self, rows: Sequence[Entry], holders: Sequence[Holder]) -> None:
+    def give_by_name(self, rows: Sequence[Entry], holders: Sequence[KnownStudent]) -> None:
         """Rows of a name to its holders, where it is clear which is whose."""
         if len(rows) == len(holders):
             for holder, entry in zip(holders, rows, strict=True):
@@ -118,9 +118,9 @@ class Holders:
         where = ", ".join(named_row(holder.rows[-1], rows[0]) for holder in holders)
         why = f"whose paper is this? The name stands in {where} too: add the student's number"
         for entry in rows:
-            self.all.append(Holder(entry.student, [replace(entry, papers=None, remarks=(*entry.remarks, why))]))
+            self.all.append(KnownStudent(entry.student, [replace(entry, papers=None, remarks=(*entry.remarks, why))]))
 
-    def identified(self, student: Student) -> Holder | None:
+    def identified(self, student: Student) -> KnownStudent | None:
         """The holder with the surest mark that both have."""
         for kind in IDENTITIES:
             holder = self.by_identity.get((kind, getattr(student, kind).casefold()))
@@ -133,12 +133,12 @@ class Holders:
         kind = next(kind for kind in IDENTITIES if getattr(one, kind) and getattr(other, kind))
         return f"the {kind} {getattr(other, kind)}"
 
-    def namesakes(self, student: Student, among: Mapping[frozenset[str], list[Holder]]) -> list[Holder]:
+    def namesakes(self, student: Student, among: Mapping[frozenset[str], list[KnownStudent]]) -> list[KnownStudent]:
         """Those of the same name who share no number or address that would tell."""
         found = among.get(student.words, []) if student.words else []
         return [holder for holder in found if holder.student.same_identity(student) is None]
 
-    def give(self, holder: Holder, entry: Entry) -> None:
+    def give(self, holder: KnownStudent, entry: Entry) -> None:
         """One more row of a student, new or known."""
         if not holder.rows:
             self.all.append(holder)
@@ -155,7 +155,7 @@ def with_file(earlier: Sequence[Entry], fresh: Sequence[Entry]) -> list[Entry]:
     file = fresh[0].file
     if all(entry.file != file for entry in earlier):
         return [*earlier, *fresh]
-    holders = Holders(fresh)
+    holders = KnownStudents(fresh)
     names = {entry.student.words for entry in fresh}
     left = [
         entry

@@ -47,7 +47,7 @@ class Student(Struct, frozen=True):
         return Student(**said)
 
 
-def told_apart(students: Sequence[tuple[Student, str]]) -> list[str]:
+def names_apart(students: Sequence[tuple[Student, str]]) -> list[str]:
     """What each student is called, no two alike: the name, with the number or else the row where several have it."""
     names = [student.called or row for student, row in students]
     count: dict[str, int] = {}

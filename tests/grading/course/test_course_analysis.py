@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.grading.course.analysis import complete_papers, correlated, group_weights, part_figures
-from rotsolve.grading.course.examination import MarkedSheet
+from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import SheetTask, Task
 from rotsolve.grading.verdict import OPEN_OUTCOMES, RIGHT, JudgedPart, Marked, Verdict
 

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.faults import SceneError
-from rotsolve.grading.course.papers import Holder, Holders, papers_table, read_papers, with_file
+from rotsolve.grading.course.papers import KnownStudent, KnownStudents, papers_table, read_papers, with_file
 from rotsolve.grading.course.questions import SheetTask, Task
-from rotsolve.grading.course.students import Student, told_apart
+from rotsolve.grading.course.students import Student, names_apart
 from rotsolve.grading.course.table import Entry, read_table
 
 NAMES = ("a", "alpha", "T")
@@ -33,15 +33,15 @@ def rows(text: str, file: str = "class.csv", sheet: SheetTask = SCENE) -> tuple[
     return read_table(text, file, sheet).entries
 
 
-def counting(*files: tuple[Entry, ...]) -> list[Holder]:
+def counting(*files: tuple[Entry, ...]) -> list[KnownStudent]:
     """The students of several files, handed in one after the other."""
     found: list[Entry] = []
     for own in files:
         found = with_file(found, own)
-    return Holders(found).all
+    return KnownStudents(found).all
 
 
-def answers(holder: Holder, place: int = 0) -> dict[str, str] | None:
+def answers(holder: KnownStudent, place: int = 0) -> dict[str, str] | None:
     papers = holder.counting.papers
     return None if papers is None else {name: text for name, text in papers[place].answers.items() if text}
 
@@ -120,7 +120,7 @@ def test_equal_names_with_different_numbers_are_two_students() -> None:
     one, other = counting(class_file, rows("number,name,a\n2,Bob,3\n", "late.csv"))
     assert (answers(one), answers(other)) == ({"a": "1"}, {"a": "3"})
     assert all("same name" not in remark for entry in class_file for remark in entry.remarks)
-    assert told_apart([(holder.student, "line 1") for holder in (one, other)]) == ["Bob (1)", "Bob (2)"]
+    assert names_apart([(holder.student, "line 1") for holder in (one, other)]) == ["Bob (1)", "Bob (2)"]
 
 
 def test_a_name_that_may_be_several_students_is_not_guessed() -> None:
@@ -181,10 +181,12 @@ def test_what_is_kept_comes_back(first: list[tuple[str, ...]], later: list[tuple
     with TemporaryDirectory() as folder:
         Path(folder, "papers.csv").write_text(papers_table(found, SHEET, separator, ""), encoding="utf-8", newline="")
         back = read_papers(Path(folder), SHEET)
-    assert [holder.counting.papers for holder in Holders(back).all] == [
-        holder.counting.papers for holder in Holders(found).all
+    assert [holder.counting.papers for holder in KnownStudents(back).all] == [
+        holder.counting.papers for holder in KnownStudents(found).all
     ]
-    assert [holder.student for holder in Holders(back).all] == [holder.student for holder in Holders(found).all]
+    assert [holder.student for holder in KnownStudents(back).all] == [
+        holder.student for holder in KnownStudents(found).all
+    ]
 
 
 @pytest.mark.parametrize(

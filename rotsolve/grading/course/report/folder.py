@@ -12,7 +12,7 @@ from collections.abc import Callable
 from io import StringIO
 from pathlib import Path
 
-from rotsolve.grading.course.examination import UNMARKED
+from rotsolve.grading.course.marked import UNMARKED
 from rotsolve.grading.course.overrides import OVERRIDES, empty_overrides
 from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, canvas_table, moodle_table
 from rotsolve.grading.course.report.results import MarkedClass, Result

@@ -33,7 +33,7 @@ def with_all_marks(course: MarkedClass) -> list[Result]:
     return [result for result in course.results if not result.sheet.outcomes() & {*OPEN_OUTCOMES}]
 
 
-def shared(results: Sequence[Result], kind: str) -> frozenset[str]:
+def told_of_several(results: Sequence[Result], kind: str) -> frozenset[str]:
     """What several students have, so that it tells none of them: a number that was typed wrong, a name."""
     count = Counter(getattr(result.student, kind).casefold() for result in results)
     return frozenset(value for value, times in count.items() if times > 1)
@@ -48,13 +48,13 @@ def identity_for_moodle(course: MarkedClass) -> str:
 def known_to_moodle(course: MarkedClass) -> list[Result]:
     """The students that Moodle can find, whose marks are all given."""
     kind = identity_for_moodle(course)
-    unsure = {"", *shared(course.results, kind)}
+    unsure = {"", *told_of_several(course.results, kind)}
     return [one for one in with_all_marks(course) if getattr(one.student, kind).casefold() not in unsure]
 
 
 def known_to_canvas(course: MarkedClass) -> list[Result]:
     """The students that Canvas can find, by the surest mark that they have, whose marks are all given."""
-    unsure = {kind: {"", *shared(course.results, kind)} for kind in CANVAS_KNOWS}
+    unsure = {kind: {"", *told_of_several(course.results, kind)} for kind in CANVAS_KNOWS}
     found = []
     for one in with_all_marks(course):
         surest = next((kind for kind in CANVAS_KNOWS if getattr(one.student, kind)), "name")

@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from rotsolve.core.derivation import Words
 from rotsolve.grading.course.columns import Columns
-from rotsolve.grading.course.examination import UNMARKED, MarkedSheet
+from rotsolve.grading.course.marked import UNMARKED, MarkedSheet
 from rotsolve.grading.course.overrides import Override
 from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.students import Student

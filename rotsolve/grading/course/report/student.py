@@ -9,7 +9,7 @@ from typing import Any
 
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import printable
-from rotsolve.grading.course.examination import MarkedSheet
+from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import SheetTask, Task
 from rotsolve.grading.course.students import Student
 from rotsolve.grading.verdict import (

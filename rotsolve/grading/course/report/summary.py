@@ -11,11 +11,11 @@ from typing import Any
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import printable
 from rotsolve.grading.course.analysis import FEW, complete_papers, part_figures
-from rotsolve.grading.course.examination import MarkedSheet
+from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.student import marked_data, marks_of, marks_text, printable_words, title_data
 from rotsolve.grading.verdict import NO_ANSWER, NOT_MARKED, OUTCOMES, PARTLY, RIGHT, UNDECIDED, WRONG, JudgedPart
-from rotsolve.page.bars import Bar, Bars
+from rotsolve.page.bars import Bars, LabelledBar
 from rotsolve.page.blocks import Page, PageBlock, Paragraph, Table, Title
 from rotsolve.page.text import plain_text
 
@@ -110,7 +110,7 @@ def distribution(papers: Sequence[MarkedSheet]) -> Iterator[Bars]:
     rows = []
     for number in range(CLASSES):
         low, high = 100 * number // CLASSES, 100 * (number + 1) // CLASSES
-        rows.append(Bar(f"{low} to {high} %", Fraction(counts[number]), str(counts[number])))
+        rows.append(LabelledBar(f"{low} to {high} %", Fraction(counts[number]), str(counts[number])))
     yield Bars("Distribution of the marks", ("of the marks", "papers"), tuple(rows), Fraction(max(counts.values())))
 
 
@@ -152,12 +152,12 @@ def analysed(course: MarkedClass) -> Iterator[PageBlock]:
         return
     said = f"By the {len(complete)} papers of which every answer has its marks. A bar is the mean share of the marks of an answer."
     yield Paragraph((f"{said} {CHANCE}" if len(complete) < FEW else said,))
-    bars = (Bar(course.task.heading(one.asked), one.share, percent(one.share)) for one in figures)
+    bars = (LabelledBar(course.task.heading(one.asked), one.share, percent(one.share)) for one in figures)
     yield Bars("Mean share of the marks of each answer", ("answer", "mean share"), tuple(bars), Fraction(1))
     rows = []
     for one in figures:
-        tied = "none" if one.correlation is None else signed(one.correlation)
-        numbers = (percent(one.share), tied, signed(float(one.gap)))
+        tied = "none" if one.correlation is None else coefficient_text(one.correlation)
+        numbers = (percent(one.share), tied, coefficient_text(float(one.gap)))
         rows.append((course.task.label(one.asked), *((number,) for number in numbers)))
     yield Table(("answer", "difficulty", "correlation", "best less worst"), tuple(rows))
     yield Paragraph((LEGEND,))
@@ -168,7 +168,7 @@ def percent(share: Fraction) -> str:
     return f"{round(100 * share)} %"
 
 
-def signed(number: float) -> str:
+def coefficient_text(number: float) -> str:
     """A coefficient to two places, with a minus that is one."""
     text = f"{number:.2f}"
     return "0.00" if text == "-0.00" else text.replace("-", "−")
