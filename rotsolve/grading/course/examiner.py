@@ -14,6 +14,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.derivation.requirements import ROOT
 from rotsolve.grading.course.report.student import Task
 from rotsolve.grading.verdict import Marked, Paper
+from rotsolve.language.problem import Problem
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
 from rotsolve.scene.read import read_source
@@ -82,9 +83,9 @@ def variant_of(paper: Paper) -> int:
 class Judges:
     """The judge of the scene as it stands, and of each variant by its number."""
 
-    def __init__(self, scene: str | os.PathLike[str], seed: int, count: int | None) -> None:
+    def __init__(self, scene: str | os.PathLike[str] | Problem, seed: int, count: int | None) -> None:
         self.seed, self.count = seed, count
-        self.problem = read_source(scene)
+        self.problem = scene if isinstance(scene, Problem) else read_source(scene)
         self.solution = solve_problem(self.problem).complete()
         self._wrong: WrongAnswers | None = None
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
@@ -119,6 +120,10 @@ class Judges:
             raise NotMarked(error.fault.message) from None
         if worked is None:
             raise NotMarked("there are no variants that can be used")
+        return self.judge_of(worked)
+
+    def judge_of(self, worked: Worked) -> Judge:
+        """The judge of a variant that is worked out already."""
         solution = self.varied(worked)
         return marker_of(solution, self.wrong_for(solution) if self.alike(solution) else None)
 
