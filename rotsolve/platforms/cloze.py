@@ -1,6 +1,6 @@
 """Cloze: all parts of a problem as one question of Moodle, with a box for each number and a list for each choice, as its text.
 
-So one variant is one question, and whoever draws it has the same numbers in all its parts. Such boxes know no units: the unit stands behind.
+So one variant is one question, and whoever draws it has the same numbers in all its parts. Such boxes know no units: they stand behind.
 """
 
 from __future__ import annotations

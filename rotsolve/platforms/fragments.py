@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 from zlib import crc32
 
 from rotsolve.page import blocks
@@ -24,7 +24,7 @@ APART = "<span></span>"
 
 
 class FragmentHtml(Html):
-    """Pages as HTML within that of a platform. What a platform would read as its own signs in prose, such as \\(, {1: or [[, is put apart."""
+    """Pages as HTML within that of a platform. Signs in prose that a platform would take for its own, as \\(, {1: or [[, are put apart."""
 
     def __init__(self, place: str = "") -> None:
         self.place = place  # in front of the name of a file
@@ -68,10 +68,7 @@ def fragments_in(language: str, place: str = "") -> FragmentHtml:
     """What prints fragments in a language."""
     printer = FragmentHtml(place)
     found = language_named(language)
-    if found is None:
-        return printer
-    spoken: Any = printer.in_language(found)
-    return spoken
+    return printer if found is None else printer.in_language(found)
 
 
 def writable(text: str) -> str:

@@ -1,8 +1,8 @@
 """Known: what a platform is told of a problem: its parts, and for each the right answer and known wrong ones with their marks.
 
-A platform can not derive anything: it compares what is typed with numbers and formulas that it knows. These are found here: the answer, that
-with the other sign, with numbers rounded too early, with each mistake of docs/mistakes.md. What each is worth, and what is said of it, is
-asked of the judge by whom `rotsolve check` marks, so that both say the same.
+A platform derives nothing: it compares what is typed with numbers and formulas that it knows. These are found here: the answer, that
+with the other sign, with numbers rounded too early, with each mistake of docs/mistakes.md. What each is worth, and what is said
+of it, is asked of the judge by whom `rotsolve check` marks, so that both say the same.
 """
 
 from __future__ import annotations
@@ -194,9 +194,7 @@ class KnownAnswers:
             if target.name in answers:
                 yield from self.in_figures(self.of_mistake(answers[target.name], scalars), ALIKE)
 
-    def in_figures(
-        self, values: tuple[Certified, ...], spread: Fraction
-    ) -> Iterator[tuple[tuple[str, ...], Fraction]]:
+    def in_figures(self, values: tuple[Certified, ...], spread: Fraction) -> Iterator[tuple[tuple[str, ...], Fraction]]:
         """Numbers as they are, and rounded to three figures where that takes them farther away."""
         if not values:
             return

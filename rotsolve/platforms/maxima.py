@@ -24,10 +24,32 @@ from rotsolve.algebra.formula import (
 
 CONSTANTS = {"pi": "%pi", "e": "%e"}
 FUNCTIONS = frozenset(
-    ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh")
-    + ("exp", "log", "sqrt", "abs")
+    (
+        *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
+        *("exp", "log", "sqrt", "abs"),
+    )
 )
-TAKEN = frozenset(("e", "i", "j", "pi", "inf", "gamma", "beta", "zeta", "psi", "lambda", "Gamma", "Beta", "Psi", "del", "is", "in", "if"))
+TAKEN = frozenset(
+    (
+        "e",
+        "i",
+        "j",
+        "pi",
+        "inf",
+        "gamma",
+        "beta",
+        "zeta",
+        "psi",
+        "lambda",
+        "Gamma",
+        "Beta",
+        "Psi",
+        "del",
+        "is",
+        "in",
+        "if",
+    )
+)
 NO_NAME = re.compile(r"[^A-Za-z0-9_]")
 
 

@@ -9,11 +9,13 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from io import BytesIO
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from rotsolve.grading.comparing.numbers import may_lack
 from rotsolve.language import marks
+from rotsolve.page.blocks import Phrase
 from rotsolve.platforms.fragments import FragmentHtml, writable
 from rotsolve.platforms.known import Box, KnownNumbers, PlatformPart
 from rotsolve.platforms.typed_units import typed_units
@@ -21,8 +23,10 @@ from rotsolve.platforms.typed_units import typed_units
 PLACE = "@@PLUGINFILE@@/"  # before the name of a file of a question
 GRADES = tuple(
     Fraction(*share)
-    for share in ((1, 1), (9, 10), (5, 6), (4, 5), (3, 4), (7, 10), (2, 3), (3, 5), (1, 2), (2, 5), (1, 3), (3, 10))
-    + ((1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (1, 20), (0, 1))
+    for share in (
+        *((1, 1), (9, 10), (5, 6), (4, 5), (3, 4), (7, 10), (2, 3), (3, 5), (1, 2), (2, 5), (1, 3), (3, 10)),
+        *((1, 4), (1, 5), (1, 6), (1, 7), (1, 8), (1, 9), (1, 10), (1, 20), (0, 1)),
+    )
 )
 LONGEST_NAME = 250
 NO_UNITS, TYPED_UNITS = "3", "0"  # how units are asked for
@@ -35,7 +39,14 @@ def quiz_xml(questions: Iterable[Element]) -> bytes:
     quiz = Element("quiz")
     quiz.extend(questions)
     ElementTree.indent(quiz, " ")
-    return ElementTree.tostring(quiz, "utf-8", xml_declaration=True) + b"\n"
+    return xml_bytes(quiz)
+
+
+def xml_bytes(root: Element) -> bytes:
+    """The file of an element."""
+    stream = BytesIO()
+    ElementTree.ElementTree(root).write(stream, "utf-8", xml_declaration=True)
+    return stream.getvalue() + b"\n"
 
 
 def category(*path: str) -> Element:
@@ -73,13 +84,18 @@ class Frame:
         text_in(SubElement(question, "name"), name[:LONGEST_NAME])
         html_in(question, "questiontext", f"{self.told}\n{asked}", self.printer.files)
         html_in(question, "generalfeedback", self.solution, self.printer.files)
-        for tag, value in (("defaultgrade", decimal_text(points)), ("penalty", AGAIN), ("hidden", "0"), ("idnumber", "")):
+        for tag, value in (
+            ("defaultgrade", decimal_text(points)),
+            ("penalty", AGAIN),
+            ("hidden", "0"),
+            ("idnumber", ""),
+        ):
             SubElement(question, tag).text = value
         return question
 
-    def said(self, parent: Element, phrases: Iterable[tuple[object, ...]]) -> None:
+    def said(self, parent: Element, phrases: Iterable[Phrase]) -> None:
         """The feedback of an answer."""
-        html_in(parent, "feedback", self.printer.sentence(*phrases))  # type: ignore[arg-type]
+        html_in(parent, "feedback", self.printer.sentence(*phrases))
 
     def numerical(self, name: str, asked: str, part: PlatformPart, place: int, points: Fraction) -> Element:
         """A question for one number; of a vector for the component at that place."""
@@ -136,7 +152,12 @@ class Frame:
     def essay(self, name: str, asked: str, answer: str, points: Fraction) -> Element:
         """A question that a teacher marks: for an answer that Moodle can not compare."""
         question = self.question("essay", name, asked, points)
-        fields = (("responseformat", "editor"), ("responserequired", "1"), ("responsefieldlines", "5"), ("attachments", "0"))
+        fields = (
+            ("responseformat", "editor"),
+            ("responserequired", "1"),
+            ("responsefieldlines", "5"),
+            ("attachments", "0"),
+        )
         for tag, value in fields:
             SubElement(question, tag).text = value
         html_in(question, "graderinfo", answer)

@@ -7,7 +7,6 @@ question, so that a quiz that draws one at random from the category asks all its
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 from xml.etree.ElementTree import Element
 
 from msgspec import Struct
@@ -20,7 +19,7 @@ from rotsolve.platforms.cloze import box_count, cloze
 from rotsolve.platforms.fragments import fragments_in, solved, told
 from rotsolve.platforms.judges import ProblemJudges
 from rotsolve.platforms.known import PlatformPart, parts_for_platforms
-from rotsolve.platforms.maxima import NoMaxima, to_maxima
+from rotsolve.platforms.maxima import NoMaxima
 from rotsolve.platforms.moodle import PLACE, Frame, category, quiz_xml
 from rotsolve.platforms.stack import VariantOfProblem, formula_question, number_question
 
@@ -40,10 +39,12 @@ class WorkedQuestion(Struct, frozen=True):
     def mark(self) -> str:
         return f" (variant {self.variant})" if self.variant else ""
 
-    def name(self, part: PlatformPart | None = None, place: int = 0) -> str:
+    def name(self, part: PlatformPart | None = None, place: int | None = None) -> str:
         """The name of a question: its number on the sheet, its part, its title."""
         label = part.part.label if part is not None and len(self.parts) > 1 else ""
-        component = f" {part.boxes[place].component}" if part is not None and len(part.boxes) > 1 else ""
+        component = (
+            f" {part.boxes[place].component}" if part is not None and place is not None and len(part.boxes) > 1 else ""
+        )
         return f"{self.one.listed.number}{label}{component} {self.one.marked.title}{self.mark}"
 
     def asked(self, part: PlatformPart, place: int | None = None) -> str:
@@ -154,4 +155,4 @@ def stack_variant(worked: WorkedQuestion, place: int) -> VariantOfProblem:
     """What STACK is told of a variant."""
     values = worked.one.worked.problem.values
     names = sorted(given.name for given in worked.one.worked.shown() if given.name in values)
-    return VariantOfProblem(worked.frame.told, worked.parts[place], {name: to_maxima(values[name], {}) for name in names})
+    return VariantOfProblem(worked.frame.told, worked.parts[place], {name: values[name] for name in names})

@@ -7,7 +7,7 @@ Response processing compares with each known answer in turn: `equal` with an abs
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
@@ -16,8 +16,8 @@ from msgspec import Struct
 
 from rotsolve.page.blocks import Math, Phrase
 from rotsolve.platforms.fragments import FragmentHtml, writable
-from rotsolve.platforms.known import PlatformPart
-from rotsolve.platforms.moodle import decimal_text
+from rotsolve.platforms.known import KnownNumbers, KnownOption, PlatformPart
+from rotsolve.platforms.moodle import decimal_text, xml_bytes
 
 MATHML = "http://www.w3.org/1998/Math/MathML"
 INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"
@@ -93,7 +93,7 @@ def xml_file(root: Element) -> bytes:
     spaces = {root.tag[1:].partition("}")[0]: "", MATHML: "m"}
     for uri, prefix in spaces.items():
         ElementTree.register_namespace(prefix, uri)
-    return ElementTree.tostring(root, "utf-8", xml_declaration=True) + b"\n"
+    return xml_bytes(root)
 
 
 class ItemWriter:
@@ -106,21 +106,30 @@ class ItemWriter:
     def item(self, identifier: str, title: str, told: str, solution: str, part: PlatformPart) -> Element:
         """The item of a part."""
         language = {"{http://www.w3.org/XML/1998/namespace}lang": self.printer.code}
-        item = self.dialect.root("assessmentItem", identifier=identifier, title=title, adaptive="false", timeDependent="false")
+        item = self.dialect.root(
+            "assessmentItem", identifier=identifier, title=title, adaptive="false", timeDependent="false"
+        )
         item.attrib |= language
         points = part.part.points
         self.responses(item, part)
-        for name, kind, value in ((SCORE, "float", "0"), (MOST, "float", decimal_text(points)), (SAID, "identifier", None)):
+        for name, kind, value in (
+            (SCORE, "float", "0"),
+            (MOST, "float", decimal_text(points)),
+            (SAID, "identifier", None),
+        ):
             outcome = self.add(item, "outcomeDeclaration", identifier=name, cardinality="single", baseType=kind)
             if value is not None:
                 self.add(self.add(outcome, "defaultValue"), "value", value)
         body = self.add(item, "itemBody")
-        self.html(body, told)
+        self.markup(body, told)
         self.interaction(body, part)
         self.solution(body, solution)
         said = self.processing(item, part)
         for name, phrases in said:
-            self.wrapped(self.add(item, "modalFeedback", outcomeIdentifier=SAID, identifier=name, showHide="show"), self.printer.sentence(*phrases))
+            self.wrapped(
+                self.add(item, "modalFeedback", outcomeIdentifier=SAID, identifier=name, showHide="show"),
+                self.printer.sentence(*phrases),
+            )
         return item
 
     # what is asked
@@ -143,7 +152,13 @@ class ItemWriter:
     def interaction(self, body: Element, part: PlatformPart) -> None:
         """The question with its fields."""
         if part.options and not part.numbers:
-            choice = self.add(body, "choiceInteraction", responseIdentifier=ANSWER, shuffle=str(not part.in_words).lower(), maxChoices="1")
+            choice = self.add(
+                body,
+                "choiceInteraction",
+                responseIdentifier=ANSWER,
+                shuffle=str(not part.in_words).lower(),
+                maxChoices="1",
+            )
             self.words(self.add(choice, "prompt"), part.asked)
             places = range(len(part.options))
             order = sorted(places, key=lambda place: label_of(part.options[place].shown)) if part.in_words else places
@@ -171,7 +186,7 @@ class ItemWriter:
     def processing(self, item: Element, part: PlatformPart) -> list[tuple[str, tuple[Phrase, ...]]]:
         """The rules by which an answer has its score; the feedback that they show, by its names."""
         processing = self.add(item, "responseProcessing")
-        known = part.numbers or part.options
+        known: Sequence[KnownNumbers | KnownOption] = part.numbers or part.options
         if not known:
             return []
         condition = self.add(processing, "responseCondition")
@@ -197,7 +212,11 @@ class ItemWriter:
         known = part.numbers[place]
         all_of = self.add(rule, "and") if len(part.boxes) > 1 else rule
         for name, number, margin in zip(names_of_boxes(part), known.numbers, known.margins, strict=True):
-            mode = {"toleranceMode": "absolute", "tolerance": f"{margin} {margin}"} if float(margin) else {"toleranceMode": "exact"}
+            mode = (
+                {"toleranceMode": "absolute", "tolerance": f"{margin} {margin}"}
+                if float(margin)
+                else {"toleranceMode": "exact"}
+            )
             equal = self.add(all_of, "equal", **mode)
             self.add(equal, "variable", identifier=name)
             self.add(equal, "baseValue", number, baseType="float")
@@ -215,17 +234,15 @@ class ItemWriter:
 
     def wrapped(self, parent: Element, html: str) -> None:
         """HTML within an element that holds some; in 3.0 within one more."""
-        self.html(self.add(parent, "contentBody") if self.dialect.hyphens else parent, html)
+        self.markup(self.add(parent, "contentBody") if self.dialect.hyphens else parent, html)
 
     def words(self, parent: Element, phrase: Phrase) -> None:
         """Words with mathematics."""
         paragraph = ElementTree.fromstring(f"<div>{self.printer.sentence(phrase)}</div>")[0]
         self.moved(parent, paragraph)
 
-    def html(self, parent: Element, html: str) -> None:
-        self.markup(parent, html)
-
     def markup(self, parent: Element, html: str) -> None:
+        """HTML at the end of an element."""
         self.moved(parent, ElementTree.fromstring(f"<div>{html}</div>"))
 
     def moved(self, parent: Element, source: Element) -> None:
@@ -264,7 +281,3 @@ def option_name(place: int) -> str:
 def label_of(shown: Phrase) -> str:
     """The label in front of an option, (a)."""
     return next((word for word in shown if isinstance(word, str)), "")
-
-
-def joined(parts: Iterable[str]) -> Iterator[str]:
-    yield from parts

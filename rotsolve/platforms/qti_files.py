@@ -59,7 +59,9 @@ class QtiFiles(SheetFiles):
             parts = parts_for_platforms(one, self.judges.judge(one), self.digits)
             printer = fragments_in(self.language, IMAGES)
             texts = printer.fragment(told(one)), printer.fragment(solved(one, self.digits))
-            self.problems.setdefault(one.listed.number, []).append(WorkedItem(sheet.variant, one, parts, printer, *texts))
+            self.problems.setdefault(one.listed.number, []).append(
+                WorkedItem(sheet.variant, one, parts, printer, *texts)
+            )
         yield from ()
 
     def close(self) -> Iterator[NamedContent]:

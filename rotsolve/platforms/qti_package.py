@@ -37,7 +37,12 @@ class PackedProblem(Struct, frozen=True):
 
 
 def package(
-    dialect: Dialect, title: str, problems: Sequence[PackedProblem], images: Mapping[str, bytes], rubric: str, writer: ItemWriter
+    dialect: Dialect,
+    title: str,
+    problems: Sequence[PackedProblem],
+    images: Mapping[str, bytes],
+    rubric: str,
+    writer: ItemWriter,
 ) -> bytes:
     """The zip; `rubric` is what is to be known before the first problem."""
     items = [item for problem in problems for variant in problem.variants for item in variant]
@@ -67,7 +72,9 @@ def assessment_test(
         use = {"use": "instructions"} if dialect.hyphens else {}
         writer.wrapped(dialect.add(whole, "rubricBlock", view="candidate", **use), rubric)
     for problem in problems:
-        section = dialect.add(whole, "assessmentSection", identifier=problem.identifier, title=problem.title, visible="true")
+        section = dialect.add(
+            whole, "assessmentSection", identifier=problem.identifier, title=problem.title, visible="true"
+        )
         if len(problem.variants) > 1:
             dialect.add(section, "selection", select="1")
         for number, items in enumerate(problem.variants, 1):

@@ -6,14 +6,16 @@ With variants, question variables hold the values of all of them; the seed choos
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from xml.etree.ElementTree import Element, SubElement
 
 from msgspec import Struct
 
-from rotsolve.language import marks
-from rotsolve.page.blocks import Math, Phrase
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.grading.comparing.numbers import certified_number
+from rotsolve.grading.marking.explaining import ALIKE
+from rotsolve.page.blocks import Math
 from rotsolve.platforms.fragments import writable
 from rotsolve.platforms.known import KnownFormula, PlatformPart
 from rotsolve.platforms.maxima import letters_in_maxima, to_maxima
@@ -50,32 +52,32 @@ def formula_question(frame: Frame, name: str, asked: str, part: PlatformPart, gi
     typed = typing_hint(frame, part, letters)
     question = stack_frame(frame, name, f"{asked}\n{typed}\n<p>{SHOWN}</p>", f"ta:{right};", "", part.part.points)
     add_input(question, "algebraic", "ta", ",".join(sorted(letters.values())))
-    add_tree(question, [Branch("AlgEquiv", "ta", "", *one) for one in ((branches[0].share, branches[0].said),)] + branches[1:])
+    add_tree(
+        question,
+        [Branch("AlgEquiv", "ta", "", *one) for one in ((branches[0].share, branches[0].said),)] + branches[1:],
+    )
     add_test(question, right)
     return question
 
 
 def typing_hint(frame: Frame, part: PlatformPart, letters: dict[str, str]) -> str:
     """Which letters the formula may hold, and how those are typed that are not typed as they look."""
-    from rotsolve.algebra.formula import Symbol
-
-    phrase: list[object] = ["Write a formula in "]
+    phrase: list[str | Formula] = ["Write a formula in "]
     for place, (letter, typed) in enumerate(sorted(letters.items())):
-        phrase += [", " if place else "", Symbol(letter), *((f" (type {typed})",) if typed != letter or len(letter) > 1 else ())]
-    return frame.printer.sentence((*phrase, "."))  # type: ignore[arg-type]
+        hint = f" (type {typed})" if typed != letter or len(letter) > 1 else ""
+        phrase += [", " if place else "", Symbol(letter), hint]
+    return frame.printer.sentence((*phrase, "."))
 
 
 class VariantOfProblem(Struct, frozen=True):
-    """One variant: what is told of it, its parts, and the SI values of the letters of its formulas, as Maxima reads them."""
+    """One variant: what is told of it, its part, and the values of the letters of its formulas, in SI units."""
 
     told: str
     part: PlatformPart
-    values: dict[str, str]
+    values: Mapping[str, Formula]
 
 
-def number_question(
-    frame: Frame, name: str, asked: str, variants: Sequence[VariantOfProblem]
-) -> Element | None:
+def number_question(frame: Frame, name: str, asked: str, variants: Sequence[VariantOfProblem]) -> Element | None:
     """A question for the number of an answer, in all variants; None where their formulas or letters differ. Raises NoMaxima."""
     part = variants[0].part
     names = [*variants[0].values]
@@ -84,41 +86,56 @@ def number_question(
     letters = letters_in_maxima(names)
     if not part.formulas[0].formula.symbols() <= letters.keys():
         return None
-    box = part.boxes[0]
-    factor = to_maxima(box.unit.factor, {})
-    variables = [f"{CHOSEN}:rand({len(variants)})+1;"]
-    for letter in names:
-        listed = ",".join(one.values[letter] for one in variants)
-        variables.append(f"rot_{letters[letter]}:[{listed}][{CHOSEN}];")
-    put_in = ",".join(f"{typed}=rot_{typed}" for typed in letters.values())
-    for place, known in enumerate(shared_formulas(variants)):
-        variables.append(f"t{place or 'a'}:float(subst([{put_in}],{to_maxima(known.formula, letters)})/({factor}));")
-    branches = [
-        Branch("NumRelative" if place else right_test(part), f"t{place or 'a'}", right_option(part) if not place else "0.002",
-               known.share, frame.printer.sentence(*known.said))
-        for place, known in enumerate(shared_formulas(variants))
-    ]  # fmt: skip
+    box, known = part.boxes[0], shared_formulas(variants)
     told = "".join(f"[[if test='{CHOSEN}={place}']]{one.told}[[/if]]" for place, one in enumerate(variants, 1))
     unit = f" {frame.printer.math(frame.printer.unit(box.unit))}" if box.unit.text else ""
-    text = f"{told}\n{asked}\n<p>{frame.printer.words((Math((box.symbol, '=')),))} [[input:{INPUT}]]{unit} [[validation:{INPUT}]]</p>"
-    note = f"variant {{#{CHOSEN}#}}"
-    question = stack_frame(frame, name, text, "\n".join(variables), note, part.part.points)
+    line = f"{frame.printer.words((Math((box.symbol, '=')),))} [[input:{INPUT}]]{unit} [[validation:{INPUT}]]"
+    variables = "\n".join(variables_of(variants, letters, known))
+    bare = Frame(frame.printer, told, frame.solution)
+    question = stack_frame(
+        bare, name, f"{asked}\n<p>{line}</p>", variables, f"variant {{#{CHOSEN}#}}", part.part.points
+    )
     add_input(question, "numerical", "ta", "")
-    add_tree(question, branches)
+    add_tree(question, [number_branch(frame, part, place, one) for place, one in enumerate(known)])
     for seed in range(1, len(variants) + 1):
         SubElement(question, "deployedseed").text = str(seed)
     add_test(question, "ta")
     return question
 
 
+def variables_of(
+    variants: Sequence[VariantOfProblem], letters: Mapping[str, str], known: Sequence[KnownFormula]
+) -> Iterator[str]:
+    """The variables of a question: which variant it is, the values of its letters, and the numbers of all known answers in the unit."""
+    factor = to_maxima(variants[0].part.boxes[0].unit.factor, {})
+    yield f"{CHOSEN}:rand({len(variants)})+1;"
+    for letter, typed in letters.items():
+        yield f"rot_{typed}:[{','.join(to_maxima(one.values[letter], {}) for one in variants)}][{CHOSEN}];"
+    put_in = ",".join(f"{typed}=rot_{typed}" for typed in letters.values())
+    for place, one in enumerate(known):
+        yield f"{number_name(place)}:float(subst([{put_in}],{to_maxima(one.formula, letters)})/({factor}));"
+
+
+def number_name(place: int) -> str:
+    """The variable of a known answer, `ta` for the right one."""
+    return f"tw{place}" if place else "ta"
+
+
+def number_branch(frame: Frame, part: PlatformPart, place: int, known: KnownFormula) -> Branch:
+    """What a number is compared with, the right one first."""
+    test, option = (right_test(part), right_option(part)) if not place else ("NumRelative", f"{float(ALIKE):g}")
+    return Branch(test, number_name(place), option, known.share, frame.printer.sentence(*known.said))
+
+
 def shared_formulas(variants: Sequence[VariantOfProblem]) -> tuple[KnownFormula, ...]:
-    """The formulas that all variants have: the right one, and those of mistakes."""
-    first, *others = variants
-    return tuple(
-        known
-        for place, known in enumerate(first.part.formulas)
-        if not place or all(known.formula in [one.formula for one in other.part.formulas] for other in others)
-    )
+    """The formulas that all variants have: the right one, and those of mistakes, which must have a number in all of them."""
+
+    def has(one: VariantOfProblem, formula: Formula) -> bool:
+        shared = formula in [known.formula for known in one.part.formulas]
+        return shared and certified_number(formula, one.values) is not None
+
+    right, *mistakes = variants[0].part.formulas
+    return (right, *(known for known in mistakes if all(has(one, known.formula) for one in variants)))
 
 
 def right_test(part: PlatformPart) -> str:
@@ -141,7 +158,11 @@ def stack_frame(frame: Frame, name: str, text: str, variables: str, note: str, p
     for tag, value in (("questionsimplify", "1"), ("assumepositive", "1"), ("assumereal", "1")):
         SubElement(question, tag).text = value
     for tag in ("prtcorrect", "prtpartiallycorrect", "prtincorrect"):
-        html_in(question, tag, frame.printer.sentence(({"prtcorrect": "Right.", "prtincorrect": "Wrong."}.get(tag, "Partly right."),)))
+        html_in(
+            question,
+            tag,
+            frame.printer.sentence(({"prtcorrect": "Right.", "prtincorrect": "Wrong."}.get(tag, "Partly right."),)),
+        )
     for tag, value in OPTIONS:
         SubElement(question, tag).text = value
     return question
@@ -180,7 +201,13 @@ def add_tree(question: Element, branches: Sequence[Branch]) -> None:
 
 def add_side(node: Element, side: str, share: Fraction, following: str, note: str, said: str) -> None:
     """What follows from a comparison that holds, or does not."""
-    fields = (("scoremode", "="), ("score", decimal_text(share)), ("penalty", ""), ("nextnode", following), ("answernote", note))
+    fields = (
+        ("scoremode", "="),
+        ("score", decimal_text(share)),
+        ("penalty", ""),
+        ("nextnode", following),
+        ("answernote", note),
+    )
     for tag, value in fields:
         SubElement(node, side + tag).text = value
     html_in(node, f"{side}feedback", said)
@@ -194,6 +221,11 @@ def add_test(question: Element, answer: str) -> None:
     for tag, value in (("name", INPUT), ("value", writable(answer))):
         SubElement(field, tag).text = value
     expected = SubElement(test, "expected")
-    fields = (("name", TREE), ("expectedscore", "1.0000000"), ("expectedpenalty", "0.0000000"), ("expectedanswernote", f"{TREE}-1-T"))
+    fields = (
+        ("name", TREE),
+        ("expectedscore", "1.0000000"),
+        ("expectedpenalty", "0.0000000"),
+        ("expectedanswernote", f"{TREE}-1-T"),
+    )
     for tag, value in fields:
         SubElement(expected, tag).text = value

@@ -17,7 +17,9 @@ from rotsolve.grading.comparing.numbers import certified_number, measured_unit
 RAISED = re.compile(f"[{''.join(SUPERSCRIPTS.values())}]+")
 WORD = re.compile(r"[A-Za-zµ_]+|°")
 MOST_UNITS = 12
-SELDOM = frozenset(("year", "week", "day", "d", "h", "ns", "nm", "MHz", "GW", "GJ", "eV", "mrad", "grad", "arcmin", "arcsec"))
+SELDOM = frozenset(
+    ("year", "week", "day", "d", "h", "ns", "nm", "MHz", "GW", "GJ", "eV", "mrad", "grad", "arcmin", "arcsec")
+)
 JOINTS = ("·", "*", "")  # between two units; the first is that of the answer that a platform shows
 
 
