@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 READ_BY_PLATFORMS = re.compile(r"\\(?=[()\[\]])|\$(?=\$)|\[(?=\[)|\{(?=[@#:\d])|@(?=@)")
 APART = "<span></span>"
+WITHIN = "\\g<0>\N{WORD JOINER}"  # the same within an attribute
 
 
 class FragmentHtml(Html):
@@ -52,7 +53,7 @@ class FragmentHtml(Html):
 
     def shown_file(self, name: str, content: bytes, alt: str) -> str:
         self.files[name] = content
-        return f'<p><img src="{self.place}{name}" alt="{super().prose(writable(alt))}" /></p>'
+        return f'<p><img src="{self.place}{name}" alt="{READ_BY_PLATFORMS.sub(WITHIN, super().prose(writable(alt)))}" /></p>'
 
     def fragment(self, content: Iterable[PageBlock]) -> str:
         """Blocks one below the other."""

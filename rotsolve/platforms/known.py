@@ -190,9 +190,12 @@ class KnownAnswers:
             for other in self.judge.letters.solution.derivation.answers:
                 if other.value is not None and other.unit == scalars[0].unit and not other.components:
                     yield from self.in_figures((other.value,), WRITTEN)
+        alike = (
+            ALIKE if len(scalars) == 1 else scalars[0].marking.tolerance.share or WRITTEN
+        )  # of vectors as of right ones
         for _, answers in self.judge.explaining.wrong_answers:
             if target.name in answers:
-                yield from self.in_figures(self.of_mistake(answers[target.name], scalars), ALIKE)
+                yield from self.in_figures(self.of_mistake(answers[target.name], scalars), alike)
 
     def in_figures(self, values: tuple[Certified, ...], spread: Fraction) -> Iterator[tuple[tuple[str, ...], Fraction]]:
         """Numbers as they are, and rounded to three figures where that takes them farther away."""

@@ -9,6 +9,8 @@ import re
 from collections.abc import Iterable, Mapping
 
 from rotsolve.algebra.formula import (
+    ELLIPTIC,
+    FUNCTIONS,
     Call,
     Constant,
     Decimal,
@@ -22,13 +24,8 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 
-CONSTANTS = {"pi": "%pi", "e": "%e"}
-FUNCTIONS = frozenset(
-    (
-        *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
-        *("exp", "log", "sqrt", "abs"),
-    )
-)
+CONSTANTS = {"pi": "%pi"}
+KNOWN = FUNCTIONS.keys() - ELLIPTIC.keys()  # Maxima has these by the same names
 TAKEN = frozenset(
     (
         "e",
@@ -90,6 +87,6 @@ def to_maxima(formula: Formula, letters: Mapping[str, str]) -> str:
             return f"({to_maxima(base, letters)}^{to_maxima(exponent, letters)})"
         case Negative(operand):
             return f"(-{to_maxima(operand, letters)})"
-        case Call(function, arguments) if function in FUNCTIONS:
+        case Call(function, arguments) if function in KNOWN:
             return f"{function}({','.join(to_maxima(argument, letters) for argument in arguments)})"
     raise NoMaxima(f"no word of Maxima for {type(formula).__name__}")
