@@ -160,6 +160,8 @@ class KnownAnswers:
         shown = tuple(map(shown_margin, margins))
         yield KnownNumbers(right, shown, share, said)
         yield from islice(self.wrong_numbers(target, scalars, right, margins), MOST_KNOWN)
+        if len(scalars) == 1:
+            yield from self.rough_numbers(target, scalars[0], right, margins[0])
 
     def wrong_numbers(
         self, target: Target, scalars: tuple[Scalar, ...], right: tuple[str, ...], margins: tuple[Fraction, ...]
@@ -174,8 +176,6 @@ class KnownAnswers:
             if share or said:
                 close = tuple(shown_margin(spread * abs(Fraction(number))) for number in numbers)
                 yield KnownNumbers(numbers, close, share, said)
-        if len(scalars) == 1:
-            yield from self.rough_numbers(target, scalars[0], right, margins[0])
 
     def candidates(
         self, target: Target, scalars: tuple[Scalar, ...], right: tuple[str, ...]

@@ -194,7 +194,8 @@ def test_a_package_is_whole(variants: int) -> None:
 
 def test_both_versions_say_the_same() -> None:
     """The items of 3.0 are those of 2.1 under the names of 3.0, as an independent converter of packages makes them too."""
-    convert = pytest.importorskip("qti_convert").upgrade_qti2_to_qti3
+    from qti_convert import upgrade_qti2_to_qti3 as convert
+
     packages = made(QtiFiles(4, "en"), sheets_of(DISC))
     older, newer = read_package(packages["qti21.zip"]), read_package(packages["qti30.zip"])
 
@@ -208,6 +209,27 @@ def test_both_versions_say_the_same() -> None:
         if name.endswith(".xml") and name != "imsmanifest.xml":
             upgraded = ElementTree.fromstring(convert(content.decode()).encode())
             assert tree(upgraded) == tree(ElementTree.fromstring(newer[name])), name
+
+
+# the page
+
+
+def test_the_commands_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each command of docs/platforms.md runs, and writes the files that the page names."""
+    page = (ROOT / "docs/platforms.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(ROOT)
+    commands = re.findall(r"^rotsolve (.*)$", page, flags=re.MULTILINE)
+    assert len(commands) == 2
+    for command in commands:
+        arguments = command.split()
+        folder = tmp_path / arguments[arguments.index("-o") + 1]
+        arguments[arguments.index("-o") + 1] = str(folder)
+        with pytest.raises(SystemExit) as left:
+            cli.main(arguments)
+        assert left.value.code == 0
+        assert {path.name for path in folder.iterdir()} == set(re.findall(r"`([\w.]+\.(?:xml|zip))`", page)) - {
+            "test.xml"
+        }
 
 
 # the command
