@@ -167,11 +167,12 @@ class KnownAnswers:
         self, target: Target, scalars: tuple[Scalar, ...], right: tuple[str, ...], margins: tuple[Fraction, ...]
     ) -> Iterator[KnownNumbers]:
         """What students write instead, and what it is worth; what is no farther off than the answer may be is left out."""
-        seen = {right}
+        seen = {tuple(map(float, right))}
         for numbers, spread in self.candidates(target, scalars, right):
-            if numbers in seen or near(numbers, right, margins):
+            values = tuple(map(float, numbers))  # 1.7 and 1.70 are one number to a platform
+            if values in seen or near(numbers, right, margins):
                 continue
-            seen.add(numbers)
+            seen.add(values)
             share, said = self.worth(target.name, typed_text(numbers, target, scalars))
             if share or said:
                 close = tuple(shown_margin(spread * abs(Fraction(number))) for number in numbers)
@@ -278,9 +279,8 @@ class KnownAnswers:
         find = next(find for find in problem.finds if find.group == target.name)
         said = AskedWords(problem)
         options = find.choice.options if find.choice is not None else ()
-        for option in sorted(options, key=lambda one: one.label != target.word):
-            share, remarks = self.worth(target.name, option.label)
-            yield KnownOption(said.option(option), share, remarks)
+        known = [KnownOption(said.option(option), *self.worth(target.name, option.label)) for option in options]
+        yield from sorted(known, key=lambda option: -option.share)
 
     def options(
         self,
