@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.keys.names import names_told
 from rotsolve.keys.parts import SheetPart, exact_points, parts_of
 from rotsolve.keys.problem_set import ProblemSet, SetProblem
-from rotsolve.keys.statement import Statement, by_author, statement
+from rotsolve.keys.statement import Statement, by_author, filler, statement
 from rotsolve.language.marks import marking_of
 from rotsolve.page.blocks import (
     LABEL,
     Answers,
+    FixedPage,
     Labelled,
     Labels,
     Page,
@@ -79,15 +81,17 @@ class Sheet(Struct, frozen=True):
     set: ProblemSet = ProblemSet("", ())
 
     @property
+    def mark(self) -> str:
+        """What tells the variant behind a title."""
+        return f", variant {self.variant} (seed {self.seed})" if self.variant else ""
+
+    @property
     def title(self) -> Phrase:
-        """The title that the set has, if any, and what tells the variant behind it."""
-        mark = f", variant {self.variant} (seed {self.seed})" if self.variant else ""
-        return (authored(self.set.title), *((mark,) if mark else ())) if self.set.title else (f"Problems{mark}",)
+        """The title that the set has, if any, and the variant."""
+        return (authored(self.set.title), self.mark) if self.set.title else (f"Problems{self.mark}",)
 
     def names(self) -> frozenset[str]:
         """Words that somebody gave to things of its scenes."""
-        from rotsolve.keys.names import names_told
-
         return frozenset().union(*(names_told(one.worked.problem) for one in self.problems))
 
     def images(self) -> Iterator[Image]:
@@ -99,13 +103,12 @@ class Sheet(Struct, frozen=True):
 
 def instructions(set: ProblemSet) -> Iterator[PageBlock]:
     """What is to be known before the first problem."""
-    from rotsolve.keys.statement import filler
-
     if set.instructions:
         yield from map(by_author, statement_blocks(set.instructions, filler({}, ()), os.path.dirname(set.file)))
 
 
 def points_in_words(points: Fraction) -> str:
+    """1 point, 8/3 points."""
     return f"{exact_points(points)} {'point' if points == 1 else 'points'}"
 
 
@@ -177,8 +180,6 @@ def statement_data(one: SheetProblem) -> dict[str, Any]:
 
 def text_alone(blocks: tuple[PageBlock, ...]) -> str:
     """Blocks as plain text, a line each paragraph."""
-    from rotsolve.page.blocks import FixedPage
-
     return PRINTER.body(FixedPage(blocks), 10**6).strip() if blocks else ""
 
 
@@ -254,9 +255,8 @@ class SolutionPage(Page, frozen=True):
         )
 
     def blocks(self) -> Iterator[PageBlock]:
-        mark = f", variant {self.sheet.variant} (seed {self.sheet.seed})" if self.sheet.variant else ""
         number, points = self.one.heading
-        yield Title(1, (number, f"{points}{mark}"))
+        yield Title(1, (number, f"{points}{self.sheet.mark}"))
         yield from told_blocks(self.one, self.one.statement)
         yield Title(2, ("Solution",))
         derivation = self.derivation()

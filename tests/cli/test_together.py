@@ -1,4 +1,4 @@
-"""The bytecode of what every run loads, kept in one piece: it is what the sources say, whatever changes, and holds no more than runs need."""
+"""The bytecode of what every run loads, kept in one piece: it says what the sources say, and holds no more than runs need."""
 
 from __future__ import annotations
 
@@ -66,4 +66,6 @@ def test_what_runs_load_is_kept_in_one_piece_and_follows_the_sources(copy: Path,
     assert "rotsolve/plan.py" in kept(copy), "a source that has changed begins a new piece"
     moved = copy.parent / "moved"
     shutil.move(copy, moved)
-    assert solved(moved, IN_THE_PLANE).stdout == "changed\n" + plane.stdout, "a piece that was moved is of no use, and does no harm"
+    assert solved(moved, IN_THE_PLANE).stdout == "changed\n" + plane.stdout, (
+        "a piece that was moved is of no use, and does no harm"
+    )

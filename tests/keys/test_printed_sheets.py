@@ -9,9 +9,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from pages import ROOT
 from rotsolve.draw.pictures import picture_of
+from rotsolve.keys.problem_set import problem_as_set, set_of_files
+from rotsolve.keys.sheets import SheetProblem
 from rotsolve.keys.variants import worked_variants
 from rotsolve.page.printer import in_powers_of_ten
 from rotsolve.page.values import certified_digits
@@ -106,3 +109,13 @@ def test_pictures_tell_no_answer(file: Path) -> None:
     numbers = {in_powers_of_ten(answer)[0].lstrip("−") for answer in answers if "." in answer} - told
     said = [word for label in figure.labels for word in re.findall(r"\d+\.\d+", label.text)]
     assert numbers.isdisjoint(said)
+
+
+@pytest.mark.parametrize("file", PICTURED, ids=lambda file: file.stem)
+def test_every_answer_belongs_to_one_part(file: Path) -> None:
+    (listed,) = set_of_files([str(file)]).problems
+    marked = problem_as_set(listed)
+    ((_, worked),) = worked_variants(replace(marked, vary=None), 1, 1)
+    one = SheetProblem(listed, marked, worked)
+    assert [answer for _, answer in one.answers()] == [*worked.answers]
+    assert {part.name for part, _ in one.answers()} == {part.name for part in one.parts}
