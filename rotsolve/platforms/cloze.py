@@ -12,13 +12,13 @@ from xml.etree.ElementTree import Element
 
 from rotsolve.page.blocks import Math, Phrase
 from rotsolve.platforms.known import PlatformPart
-from rotsolve.platforms.moodle import Frame, known_share
+from rotsolve.platforms.moodle import QuestionFrame, known_share
 
 WHOLE = (100, 90, 80, 75, 70, 60, 50, 40, 30, 25, 20, 10, 5, 0)  # percents that have no decimals
 OWN = str.maketrans({"}": r"\}", "#": r"\#", "~": "∼", "\n": " "})  # what ends a part of a box
 
 
-def cloze(frame: Frame, name: str, parts: tuple[PlatformPart, ...]) -> Element:
+def cloze(frame: QuestionFrame, name: str, parts: tuple[PlatformPart, ...]) -> Element:
     """One question with all parts that have a number or options; nothing of the others."""
     held = [part for part in parts if part.numbers or part.options]
     weights = box_weights(held)
@@ -41,7 +41,7 @@ def box_weights(parts: list[PlatformPart]) -> dict[str, int]:
     return {name: max(1, int(share * whole)) for name, share in shares.items()}
 
 
-def part_html(frame: Frame, part: PlatformPart, weights: dict[str, int], labelled: bool) -> str:
+def part_html(frame: QuestionFrame, part: PlatformPart, weights: dict[str, int], labelled: bool) -> str:
     """What is asked in a part, and its boxes."""
     label: Phrase = (f"({part.part.label}) ",) if labelled else ()
     asked = frame.printer.sentence((*label, *part.asked))
@@ -51,7 +51,7 @@ def part_html(frame: Frame, part: PlatformPart, weights: dict[str, int], labelle
     return "\n".join((asked, *number_boxes(frame, part, weight)))
 
 
-def number_boxes(frame: Frame, part: PlatformPart, weight: int) -> Iterator[str]:
+def number_boxes(frame: QuestionFrame, part: PlatformPart, weight: int) -> Iterator[str]:
     """A line for each number: its letter, its box, its unit."""
     for place, box in enumerate(part.boxes):
         known = "~".join(number_answers(frame, part, place))
@@ -59,7 +59,7 @@ def number_boxes(frame: Frame, part: PlatformPart, weight: int) -> Iterator[str]
         yield f"<p>{frame.printer.words((Math((box.symbol, '=')),))} {{{weight}:NUMERICAL:{known}}}{unit}</p>"
 
 
-def number_answers(frame: Frame, part: PlatformPart, place: int) -> Iterator[str]:
+def number_answers(frame: QuestionFrame, part: PlatformPart, place: int) -> Iterator[str]:
     """The answers of one box, the right one first."""
     seen: set[tuple[str, str]] = set()
     for known in part.numbers:
@@ -70,7 +70,7 @@ def number_answers(frame: Frame, part: PlatformPart, place: int) -> Iterator[str
         yield f"{mark_of(share)}{told[0]}:{told[1]}{feedback_of(frame, known.said)}"
 
 
-def choice_box(frame: Frame, part: PlatformPart, weight: int) -> str:
+def choice_box(frame: QuestionFrame, part: PlatformPart, weight: int) -> str:
     """A choice, one option below the other."""
     answers = (
         f"{mark_of(option.share if place else Fraction(1))}{frame.printer.words(option.shown).translate(OWN)}"
@@ -86,5 +86,5 @@ def mark_of(share: Fraction) -> str:
     return "=" if percent == 100 else f"%{percent}%"
 
 
-def feedback_of(frame: Frame, said: tuple[Phrase, ...]) -> str:
+def feedback_of(frame: QuestionFrame, said: tuple[Phrase, ...]) -> str:
     return f"#{frame.printer.sentence(*said).translate(OWN)}" if said else ""

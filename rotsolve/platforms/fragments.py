@@ -14,11 +14,11 @@ from rotsolve.page.html import Html
 from rotsolve.page.languages import language_named
 from rotsolve.page.printer import Lines, Printer
 from rotsolve.page.statement_blocks import Image
+from rotsolve.platforms.xml_text import writable
 
 if TYPE_CHECKING:
     from rotsolve.keys.sheets import SheetProblem
 
-NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 READ_BY_PLATFORMS = re.compile(r"\\(?=[()\[\]])|\$(?=\$)|\[(?=\[)|\{(?=[@#:\d])|@(?=@)")
 APART = "<span></span>"
 WITHIN = "\\g<0>\N{WORD JOINER}"  # the same within an attribute
@@ -72,12 +72,7 @@ def fragments_in(language: str, place: str = "") -> FragmentHtml:
     return printer if found is None else printer.in_language(found)
 
 
-def writable(text: str) -> str:
-    """A text without letters that XML can not hold."""
-    return NO_XML.sub("\N{REPLACEMENT CHARACTER}", text)
-
-
-def told(one: SheetProblem) -> list[PageBlock]:
+def problem_blocks(one: SheetProblem) -> list[PageBlock]:
     """What a problem says, without what it asks: its text, picture, givens, and which way is positive."""
     from rotsolve.page.blocks import Labelled, Labels, Picture
 
@@ -87,7 +82,7 @@ def told(one: SheetProblem) -> list[PageBlock]:
     return [*said.text, *picture, Labels(tuple(row for row in rows if row.items))]
 
 
-def solved(one: SheetProblem, digits: int) -> list[PageBlock]:
+def solution_blocks(one: SheetProblem, digits: int) -> list[PageBlock]:
     """The derivation of a problem, without its title."""
     from msgspec.structs import replace
 

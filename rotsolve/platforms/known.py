@@ -7,7 +7,7 @@ of it, is asked of the judge by whom `rotsolve check` marks, so that both say th
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from functools import cached_property
 from itertools import islice
@@ -22,13 +22,11 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.symbols import TIME
 from rotsolve.grading.comparing.readings import nothing_beside
-from rotsolve.grading.marking.explaining import ALIKE, EXACTLY
-from rotsolve.grading.marking.target import entries_of_answer
 from rotsolve.grading.verdict import RIGHT, JudgedPart, Paper
 from rotsolve.language import marks
 from rotsolve.page.blocks import Amount, Math, Matrix, Phrase
 from rotsolve.page.values import certified_digits, machine_number
-from rotsolve.platforms.margins import decimal_of, margin_of, shown_margin
+from rotsolve.platforms.margins import decimal_of, shown_margin, tolerated_margin
 
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
@@ -43,6 +41,7 @@ FEW = 2  # figures of a number that is right as far as it goes
 MOST_OPTIONS = 5  # of a multiple choice
 MOST_KNOWN = 24  # wrong answers of a question: a teacher should be able to read them
 WRITTEN = Fraction(1, 1_000_000)  # the share within which a number is the one that was written
+BEYOND = Fraction(101, 100)  # margins within which a number lies on the edge
 INSIDE = Fraction(9, 10)  # of the share by which rounding on the way may be off: a number that is surely so far off
 BY_SIDE = ", "
 
@@ -120,6 +119,8 @@ class KnownAnswers:
         found = PlatformPart(part, asked, answer, target.marking)
         if target.word:
             return replace(found, options=tuple(self.words(target)), in_words=True)
+        from rotsolve.grading.marking.target import entries_of_answer
+
         formulas = tuple(self.formulas(target))
         scalars = target.parts or ((target.whole,) if target.whole is not None else ())
         numbers = () if target.marking.form == marks.EXACT and formulas else tuple(self.numbers(target, scalars))
@@ -152,7 +153,7 @@ class KnownAnswers:
         values = tuple(one.value for one in scalars if one.value is not None)
         if not values or len(values) < len(scalars) or any(value.figures(self.digits)[1] == 0 for value in values):
             return
-        margins = tuple(margin_of(value, one) for value, one in zip(values, scalars, strict=True))
+        margins = tuple(tolerated_margin(value, one) for value, one in zip(values, scalars, strict=True))
         right = tuple(decimal_of(value, margin, self.digits) for value, margin in zip(values, margins, strict=True))
         share, said = self.worth(target.name, typed_text(right, target, scalars))
         if not share:
@@ -165,24 +166,28 @@ class KnownAnswers:
 
     def wrong_numbers(
         self, target: Target, scalars: tuple[Scalar, ...], right: tuple[str, ...], margins: tuple[Fraction, ...]
-    ) -> Iterator[KnownNumbers]:
-        """What students write instead, and what it is worth; what is no farther off than the answer may be is left out."""
-        seen = {tuple(map(float, right))}
+    ) -> Iterable[KnownNumbers]:
+        """What students write instead, and what it is worth; what is no farther off than the answer may be is left out. A platform
+        sees no figures: of 1.7 and 1.70 the one that is worth more counts."""
+        found: dict[tuple[float, ...], KnownNumbers] = {}
+        beyond = tuple(margin * BEYOND for margin in margins)
         for numbers, spread in self.candidates(target, scalars, right):
-            values = tuple(map(float, numbers))  # 1.7 and 1.70 are one number to a platform
-            if values in seen or near(numbers, right, margins):
+            if within_margins(numbers, right, beyond):
                 continue
-            seen.add(values)
             share, said = self.worth(target.name, typed_text(numbers, target, scalars))
-            if share or said:
-                close = tuple(shown_margin(spread * abs(Fraction(number))) for number in numbers)
-                yield KnownNumbers(numbers, close, share, said)
+            close = tuple(shown_margin(spread * abs(Fraction(number))) for number in numbers)
+            values = tuple(map(float, numbers))
+            if (share or said) and (values not in found or share > found[values].share):
+                found[values] = KnownNumbers(numbers, close, share, said)
+        return found.values()
 
     def candidates(
         self, target: Target, scalars: tuple[Scalar, ...], right: tuple[str, ...]
     ) -> Iterator[tuple[tuple[str, ...], Fraction]]:
         """Numbers to be asked about, and the share by which others may be off that `check` takes for the same: the other sign, few
         figures, other answers, early roundings, mistakes."""
+        from rotsolve.grading.marking.explaining import ALIKE, EXACTLY
+
         yield tuple(map(other_sign, right)), scalars[0].marking.tolerance.share or WRITTEN
         if len(scalars) == 1 and scalars[0].value is not None:
             yield from (((self.decimal(scalars[0].value, figures),), WRITTEN) for figures in (FEW, FEW + 1))
@@ -205,11 +210,13 @@ class KnownAnswers:
         exact = tuple(map(self.decimal, values))
         rounded = tuple(self.decimal(value, FEW + 1) for value in values)
         yield exact, spread
-        if not near(rounded, exact, tuple(spread * abs(Fraction(number)) for number in exact)):
+        if not within_margins(rounded, exact, tuple(spread * abs(Fraction(number)) for number in exact)):
             yield rounded, WRITTEN
 
     def of_mistake(self, answer: Answer, scalars: tuple[Scalar, ...]) -> tuple[Certified, ...]:
         """The numbers of an answer with a mistake; nothing where they are not those of the boxes."""
+        from rotsolve.grading.marking.target import entries_of_answer
+
         parts = entries_of_answer(answer) if len(scalars) > 1 else (answer,)
         units = [one.unit.text for one in scalars]
         if [part.unit.text if part.unit is not None else "" for part in parts] != units:
@@ -230,7 +237,7 @@ class KnownAnswers:
         if spread * abs(number) <= margin:
             return
         off = f"{float(number * (1 + spread * INSIDE)):.6g}"
-        if near((off,), right, (margin,)):
+        if within_margins((off,), right, (margin,)):
             return
         found = self.judged(target.name, typed_text((off,), target, (scalar,)))
         if [remark.kind for remark in found.verdict.remarks] == ["rounding"] and found.marks:
@@ -333,7 +340,7 @@ def other_sign(number: str) -> str:
     return number.removeprefix("-") if number.startswith("-") or not float(number) else f"-{number}"
 
 
-def near(numbers: tuple[str, ...], right: tuple[str, ...], margins: tuple[Fraction, ...]) -> bool:
+def within_margins(numbers: tuple[str, ...], right: tuple[str, ...], margins: tuple[Fraction, ...]) -> bool:
     """Whether numbers are no farther from the right ones than they may be."""
     pairs = zip(numbers, right, margins, strict=True)
     return all(abs(Fraction(number) - Fraction(wanted)) <= margin for number, wanted, margin in pairs)

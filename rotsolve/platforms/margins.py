@@ -14,7 +14,7 @@ MOST_DIGITS = 15  # of a number of a platform, which is a float there
 FINE = 1000  # the margin is so many times what rounding takes away from the number
 
 
-def margin_of(value: Certified, asked: Scalar) -> Fraction:
+def tolerated_margin(value: Certified, asked: Scalar) -> Fraction:
     """How far an answer may be from its value, in its unit."""
     tolerance = asked.marking.tolerance
     if tolerance.share is not None:

@@ -9,16 +9,16 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from io import BytesIO
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from rotsolve.grading.comparing.numbers import may_lack
 from rotsolve.language import marks
 from rotsolve.page.blocks import Phrase
-from rotsolve.platforms.fragments import FragmentHtml, writable
+from rotsolve.platforms.fragments import FragmentHtml
 from rotsolve.platforms.known import Box, KnownNumbers, PlatformPart
 from rotsolve.platforms.typed_units import typed_units
+from rotsolve.platforms.xml_text import plain_decimal, writable, xml_bytes
 
 PLACE = "@@PLUGINFILE@@/"  # before the name of a file of a question
 GRADES = tuple(
@@ -40,13 +40,6 @@ def quiz_xml(questions: Iterable[Element]) -> bytes:
     quiz.extend(questions)
     ElementTree.indent(quiz, " ")
     return xml_bytes(quiz)
-
-
-def xml_bytes(root: Element) -> bytes:
-    """The file of an element."""
-    stream = BytesIO()
-    ElementTree.ElementTree(root).write(stream, "utf-8", xml_declaration=True)
-    return stream.getvalue() + b"\n"
 
 
 def category(*path: str) -> Element:
@@ -72,7 +65,7 @@ def html_in(parent: Element, tag: str, html: str, files: Mapping[str, bytes] | N
     return field
 
 
-class Frame:
+class QuestionFrame:
     """What the questions of one problem have in common: what is told, the solution, and the files of both."""
 
     def __init__(self, printer: FragmentHtml, told: str, solution: str) -> None:
@@ -85,7 +78,7 @@ class Frame:
         html_in(question, "questiontext", f"{self.told}\n{asked}", self.printer.files)
         html_in(question, "generalfeedback", self.solution, self.printer.files)
         for tag, value in (
-            ("defaultgrade", decimal_text(points)),
+            ("defaultgrade", plain_decimal(points)),
             ("penalty", AGAIN),
             ("hidden", "0"),
             ("idnumber", ""),
@@ -126,7 +119,7 @@ class Frame:
         free = part.marking.unit == marks.OPTIONAL or may_lack(box.unit, box.unit.dimension) or not units
         fields = (
             ("unitgradingtype", UNGRADED if free else OUT_OF_MOST),
-            ("unitpenalty", decimal_text(part.unit_cost)),
+            ("unitpenalty", plain_decimal(part.unit_cost)),
             ("showunits", TYPED_UNITS if units else NO_UNITS),
             ("unitsleft", "0"),
         )
@@ -179,10 +172,4 @@ def known_share(part: PlatformPart, known: KnownNumbers, place: int) -> Fraction
 def grade_text(share: Fraction) -> str:
     """The share in percent, the nearest of those that Moodle knows."""
     nearest = min(GRADES, key=lambda grade: abs(grade - share))
-    return decimal_text(nearest * 100, places=5)
-
-
-def decimal_text(value: Fraction, places: int = 7) -> str:
-    """A decimal number, exact as far as its places go."""
-    text = f"{float(value):.{places}f}"
-    return text.rstrip("0").rstrip(".") or "0"
+    return plain_decimal(nearest * 100, places=5)

@@ -16,11 +16,11 @@ from rotsolve.keys.sheets import Sheet, SheetProblem
 from rotsolve.page.blocks import Answers, Phrase
 from rotsolve.page.values import answer_row
 from rotsolve.platforms.cloze import box_count, cloze
-from rotsolve.platforms.fragments import fragments_in, solved, told
+from rotsolve.platforms.fragments import fragments_in, problem_blocks, solution_blocks
 from rotsolve.platforms.judges import ProblemJudges
 from rotsolve.platforms.known import PlatformPart, parts_for_platforms
 from rotsolve.platforms.maxima import NoMaxima
-from rotsolve.platforms.moodle import PLACE, Frame, category, quiz_xml
+from rotsolve.platforms.moodle import PLACE, QuestionFrame, category, quiz_xml
 from rotsolve.platforms.stack import VariantOfProblem, formula_question, number_question
 
 CHOICES, LETTERS = "multiple choice", "in letters"
@@ -33,7 +33,7 @@ class WorkedQuestion(Struct, frozen=True):
     variant: int
     one: SheetProblem
     parts: tuple[PlatformPart, ...]
-    frame: Frame
+    frame: QuestionFrame
 
     @property
     def mark(self) -> str:
@@ -68,7 +68,9 @@ class MoodleFiles(SheetFiles):
         for one in sheet.problems:
             parts = parts_for_platforms(one, self.judges.judge(one), self.digits)
             printer = fragments_in(self.language, PLACE)
-            frame = Frame(printer, printer.fragment(told(one)), printer.fragment(solved(one, self.digits)))
+            frame = QuestionFrame(
+                printer, printer.fragment(problem_blocks(one)), printer.fragment(solution_blocks(one, self.digits))
+            )
             self.problems.setdefault(one.listed.number, []).append(WorkedQuestion(sheet.variant, one, parts, frame))
         yield from ()
 

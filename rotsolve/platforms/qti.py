@@ -15,9 +15,9 @@ from xml.etree.ElementTree import Element, SubElement
 from msgspec import Struct
 
 from rotsolve.page.blocks import Math, Phrase
-from rotsolve.platforms.fragments import FragmentHtml, writable
+from rotsolve.platforms.fragments import FragmentHtml
 from rotsolve.platforms.known import KnownNumbers, KnownOption, PlatformPart
-from rotsolve.platforms.moodle import decimal_text, xml_bytes
+from rotsolve.platforms.xml_text import plain_decimal, writable, xml_bytes
 
 MATHML = "http://www.w3.org/1998/Math/MathML"
 INSTANCE = "http://www.w3.org/2001/XMLSchema-instance"
@@ -114,7 +114,7 @@ class ItemWriter:
         self.responses(item, part)
         for name, kind, value in (
             (SCORE, "float", "0"),
-            (MOST, "float", decimal_text(points)),
+            (MOST, "float", plain_decimal(points)),
             (SAID, "identifier", None),
         ):
             outcome = self.add(item, "outcomeDeclaration", identifier=name, cardinality="single", baseType=kind)
@@ -161,7 +161,9 @@ class ItemWriter:
             )
             self.words(self.add(choice, "prompt"), part.asked)
             places = range(len(part.options))
-            order = sorted(places, key=lambda place: label_of(part.options[place].shown)) if part.in_words else places
+            order = (
+                sorted(places, key=lambda place: label_in_front(part.options[place].shown)) if part.in_words else places
+            )
             for place in order:
                 self.words(self.add(choice, "simpleChoice", identifier=option_name(place)), part.options[place].shown)
             return
@@ -198,7 +200,7 @@ class ItemWriter:
             else:
                 self.chosen(rule, place)
             share = one.share if place or part.numbers else Fraction(1)
-            self.outcome(rule, SCORE, "float", decimal_text(share * part.part.points))
+            self.outcome(rule, SCORE, "float", plain_decimal(share * part.part.points))
             if one.said:
                 said.append((f"SAID_{place}", one.said))
                 self.outcome(rule, SAID, "identifier", said[-1][0])
@@ -278,6 +280,6 @@ def option_name(place: int) -> str:
     return f"OPTION_{place + 1}"
 
 
-def label_of(shown: Phrase) -> str:
+def label_in_front(shown: Phrase) -> str:
     """The label in front of an option, (a)."""
     return next((word for word in shown if isinstance(word, str)), "")

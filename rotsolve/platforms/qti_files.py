@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.keys.files import NamedContent, SheetFiles
 from rotsolve.keys.sheets import Sheet, SheetProblem, instructions
-from rotsolve.platforms.fragments import FragmentHtml, fragments_in, solved, told
+from rotsolve.platforms.fragments import FragmentHtml, fragments_in, problem_blocks, solution_blocks
 from rotsolve.platforms.judges import ProblemJudges
 from rotsolve.platforms.known import PlatformPart, parts_for_platforms
 from rotsolve.platforms.qti import QTI_21, QTI_30, Dialect, ItemWriter
@@ -58,7 +58,7 @@ class QtiFiles(SheetFiles):
         for one in sheet.problems:
             parts = parts_for_platforms(one, self.judges.judge(one), self.digits)
             printer = fragments_in(self.language, IMAGES)
-            texts = printer.fragment(told(one)), printer.fragment(solved(one, self.digits))
+            texts = printer.fragment(problem_blocks(one)), printer.fragment(solution_blocks(one, self.digits))
             self.problems.setdefault(one.listed.number, []).append(
                 WorkedItem(sheet.variant, one, parts, printer, *texts)
             )

@@ -9,8 +9,8 @@ from xml.etree.ElementTree import Element, SubElement
 
 from msgspec import Struct
 
-from rotsolve.platforms.fragments import writable
 from rotsolve.platforms.qti import INSTANCE, SCORE, Dialect, ItemWriter, xml_file
+from rotsolve.platforms.xml_text import writable
 
 BEGINNING = (1980, 1, 1, 0, 0, 0)  # the time of all files: the same sheet gives the same bytes
 TEST = "test.xml"

@@ -14,12 +14,11 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.grading.comparing.numbers import certified_number
-from rotsolve.grading.marking.explaining import ALIKE
 from rotsolve.page.blocks import Math
-from rotsolve.platforms.fragments import writable
 from rotsolve.platforms.known import KnownFormula, PlatformPart
 from rotsolve.platforms.maxima import letters_in_maxima, to_maxima
-from rotsolve.platforms.moodle import Frame, decimal_text, html_in, text_in
+from rotsolve.platforms.moodle import QuestionFrame, html_in, text_in
+from rotsolve.platforms.xml_text import plain_decimal, writable
 
 VERSION = "2020112300"  # of the plugin; later ones read the files of earlier ones
 INPUT, TREE = "ans1", "prt1"
@@ -31,7 +30,7 @@ OPTIONS = (
 )  # fmt: skip
 
 
-class Branch(Struct, frozen=True):
+class TreeNode(Struct, frozen=True):
     """What an answer is compared with, by which test, the share of the points, and what is said as HTML."""
 
     test: str
@@ -41,12 +40,12 @@ class Branch(Struct, frozen=True):
     said: str
 
 
-def formula_question(frame: Frame, name: str, asked: str, part: PlatformPart, givens: Sequence[str]) -> Element:
+def formula_question(frame: QuestionFrame, name: str, asked: str, part: PlatformPart, givens: Sequence[str]) -> Element:
     """A question for a formula in the letters of the givens. Raises NoMaxima."""
     letters = letters_in_maxima({*givens, *(one for known in part.formulas for one in known.formula.symbols())})
     right = to_maxima(part.formulas[0].formula, letters)
     branches = [
-        Branch("AlgEquiv", to_maxima(known.formula, letters), "", known.share, frame.printer.sentence(*known.said))
+        TreeNode("AlgEquiv", to_maxima(known.formula, letters), "", known.share, frame.printer.sentence(*known.said))
         for known in part.formulas
     ]
     typed = typing_hint(frame, part, letters)
@@ -54,13 +53,13 @@ def formula_question(frame: Frame, name: str, asked: str, part: PlatformPart, gi
     add_input(question, "algebraic", "ta", ",".join(sorted(letters.values())))
     add_tree(
         question,
-        [Branch("AlgEquiv", "ta", "", *one) for one in ((branches[0].share, branches[0].said),)] + branches[1:],
+        [TreeNode("AlgEquiv", "ta", "", *one) for one in ((branches[0].share, branches[0].said),)] + branches[1:],
     )
     add_test(question, right)
     return question
 
 
-def typing_hint(frame: Frame, part: PlatformPart, letters: dict[str, str]) -> str:
+def typing_hint(frame: QuestionFrame, part: PlatformPart, letters: dict[str, str]) -> str:
     """Which letters the formula may hold, and how those are typed that are not typed as they look."""
     phrase: list[str | Formula] = ["Write a formula in "]
     for place, (letter, typed) in enumerate(sorted(letters.items())):
@@ -77,7 +76,9 @@ class VariantOfProblem(Struct, frozen=True):
     values: Mapping[str, Formula]
 
 
-def number_question(frame: Frame, name: str, asked: str, variants: Sequence[VariantOfProblem]) -> Element | None:
+def number_question(
+    frame: QuestionFrame, name: str, asked: str, variants: Sequence[VariantOfProblem]
+) -> Element | None:
     """A question for the number of an answer, in all variants; None where their formulas or letters differ. Raises NoMaxima."""
     part = variants[0].part
     names = [*variants[0].values]
@@ -91,7 +92,7 @@ def number_question(frame: Frame, name: str, asked: str, variants: Sequence[Vari
     unit = f" {frame.printer.math(frame.printer.unit(box.unit))}" if box.unit.text else ""
     line = f"{frame.printer.words((Math((box.symbol, '=')),))} [[input:{INPUT}]]{unit} [[validation:{INPUT}]]"
     variables = "\n".join(variables_of(variants, letters, known))
-    bare = Frame(frame.printer, told, frame.solution)
+    bare = QuestionFrame(frame.printer, told, frame.solution)
     question = stack_frame(
         bare, name, f"{asked}\n<p>{line}</p>", variables, f"variant {{#{CHOSEN}#}}", part.part.points
     )
@@ -121,10 +122,12 @@ def number_name(place: int) -> str:
     return f"tw{place}" if place else "ta"
 
 
-def number_branch(frame: Frame, part: PlatformPart, place: int, known: KnownFormula) -> Branch:
+def number_branch(frame: QuestionFrame, part: PlatformPart, place: int, known: KnownFormula) -> TreeNode:
     """What a number is compared with, the right one first."""
+    from rotsolve.grading.marking.explaining import ALIKE
+
     test, option = (right_test(part), right_option(part)) if not place else ("NumRelative", f"{float(ALIKE):g}")
-    return Branch(test, number_name(place), option, known.share, frame.printer.sentence(*known.said))
+    return TreeNode(test, number_name(place), option, known.share, frame.printer.sentence(*known.said))
 
 
 def shared_formulas(variants: Sequence[VariantOfProblem]) -> tuple[KnownFormula, ...]:
@@ -148,7 +151,7 @@ def right_option(part: PlatformPart) -> str:
     return f"{float(share):.6g}" if share is not None else part.numbers[0].margins[0]
 
 
-def stack_frame(frame: Frame, name: str, text: str, variables: str, note: str, points: Fraction) -> Element:
+def stack_frame(frame: QuestionFrame, name: str, text: str, variables: str, note: str, points: Fraction) -> Element:
     """A question with all but its input, tree and tests."""
     question = frame.question("stack", name, text, points)
     text_in(SubElement(question, "stackversion"), VERSION)
@@ -180,7 +183,7 @@ def add_input(question: Element, kind: str, answer: str, letters: str) -> None:
         SubElement(field, tag).text = value
 
 
-def add_tree(question: Element, branches: Sequence[Branch]) -> None:
+def add_tree(question: Element, branches: Sequence[TreeNode]) -> None:
     """The tree of comparisons, one after the other."""
     tree = SubElement(question, "prt")
     for tag, value in (("name", TREE), ("value", "1.0000000"), ("autosimplify", "1"), ("feedbackstyle", "1")):
@@ -203,7 +206,7 @@ def add_side(node: Element, side: str, share: Fraction, following: str, note: st
     """What follows from a comparison that holds, or does not."""
     fields = (
         ("scoremode", "="),
-        ("score", decimal_text(share)),
+        ("score", plain_decimal(share)),
         ("penalty", ""),
         ("nextnode", following),
         ("answernote", note),

@@ -28,7 +28,7 @@ def typed_units(unit: Unit, dimension: Dimension, *, turns: bool = False) -> tup
     if not unit.text:
         return ()
     found: dict[str, float] = {}
-    for other in alike(unit):
+    for other in units_of_same_kind(unit):
         meant = measured_unit(other, unit, dimension, turns)
         many = certified_number(unit.factor / meant.factor, {}) if isinstance(meant, Unit) else None
         if many is not None:
@@ -37,9 +37,9 @@ def typed_units(unit: Unit, dimension: Dimension, *, turns: bool = False) -> tup
     return tuple(found.items())
 
 
-def alike(unit: Unit) -> Iterator[Unit]:
+def units_of_same_kind(unit: Unit) -> Iterator[Unit]:
     """The unit, those of the table that measure the same, and those with another one in place of one of its words."""
-    texts = dict.fromkeys((unit.text, *others(unit.text, unit.is_foreign)))
+    texts = dict.fromkeys((unit.text, *texts_of_units(unit.text, unit.is_foreign)))
     found = 0
     for text in texts:
         other = parse_unit(text)
@@ -48,7 +48,7 @@ def alike(unit: Unit) -> Iterator[Unit]:
             yield other
 
 
-def others(text: str, foreign: bool) -> Iterator[str]:
+def texts_of_units(text: str, foreign: bool) -> Iterator[str]:
     """The texts of other units."""
     whole = parse_unit(text)
     for name, unit in UNITS.items():

@@ -28,10 +28,11 @@ from rotsolve import cli
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.page.blocks import authored
 from rotsolve.platforms.fragments import FragmentHtml, fragments_in
-from rotsolve.platforms.moodle import GRADES, category, decimal_text, grade_text, html_in, quiz_xml, text_in
+from rotsolve.platforms.moodle import GRADES, category, grade_text, html_in, quiz_xml, text_in
 from rotsolve.platforms.moodle_files import MoodleFiles
 from rotsolve.platforms.qti_files import QtiFiles
 from rotsolve.platforms.typed_units import typed_units
+from rotsolve.platforms.xml_text import plain_decimal
 from sheets_made import ROOT, judge_of, judged, made, sheets_of
 
 DISC = str(ROOT / "problems/pulleys/block-on-disc.yaml")
@@ -145,7 +146,7 @@ def test_choices_words_and_letters(tmp_path: Path) -> None:
 
 def test_grades_are_those_that_moodle_knows() -> None:
     assert [grade_text(grade) for grade in GRADES][:3] == ["100", "90", "83.33333"]
-    assert decimal_text(GRADES[4] * 100) == "75"
+    assert plain_decimal(GRADES[4] * 100) == "75"
 
 
 @pytest.mark.parametrize("text", ["m/s²", "N", "rad/s", "kg m²/s", "J", "N m", "°", "Hz", "s", "ft/s"])
