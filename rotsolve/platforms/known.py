@@ -42,7 +42,7 @@ MOST_OPTIONS = 5  # of a multiple choice
 MOST_KNOWN = 24  # wrong answers of a question: a teacher should be able to read them
 WRITTEN = Fraction(1, 1_000_000)  # the share within which a number is the one that was written
 BEYOND = Fraction(101, 100)  # margins within which a number lies on the edge
-INSIDE = Fraction(9, 10)  # of the share by which rounding on the way may be off: a number that is surely so far off
+INSIDE = tuple(Fraction(part, 10) for part in (9, -9, 7, -7))  # of the share by which rounding on the way may be off
 BY_SIDE = ", "
 
 
@@ -236,13 +236,13 @@ class KnownAnswers:
         spread, number = self.judge.explaining.spread(scalar), Fraction(right[0])
         if spread * abs(number) <= margin:
             return
-        off = f"{float(number * (1 + spread * INSIDE)):.6g}"
-        if within_margins((off,), right, (margin,)):
-            return
-        found = self.judged(target.name, typed_text((off,), target, (scalar,)))
-        if [remark.kind for remark in found.verdict.remarks] == ["rounding"] and found.marks:
-            said = tuple(remark.words for remark in found.verdict.remarks)
-            yield KnownNumbers(right, (shown_margin(spread * abs(number)),), found.marks / found.of, said)
+        for inside in INSIDE:
+            off = f"{float(number * (1 + spread * inside)):.6g}"
+            found = self.judged(target.name, typed_text((off,), target, (scalar,)))
+            if found.marks and [remark.kind for remark in found.verdict.remarks] == ["rounding"]:
+                said = tuple(remark.words for remark in found.verdict.remarks)
+                yield KnownNumbers(right, (shown_margin(spread * abs(number)),), found.marks / found.of, said)
+                return
 
     # formulas
 
