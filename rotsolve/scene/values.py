@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Collection, Container, Iterator, Mapping
 
 from rotsolve.algebra.certified.ball import evaluate, note
-from rotsolve.algebra.formula import FUNCTIONS, ZERO, Call, Formula, Negative, Number, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Negative, Number, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
@@ -223,15 +223,18 @@ OPERATORS = str.maketrans("+-*/^()", "\n" * 7)
 
 
 def plainly_made(text: str, letters: Container[str]) -> bool:
-    """Whether a text is made of letters, functions and numbers with an operator between any two of them: `2*M`, `-l`, `L*cos(theta)`."""
-    pieces = [piece.strip() for piece in text.translate(OPERATORS).split("\n")]
-    known = [piece for piece in pieces if piece in letters]
-    return bool(known) and all(not one or one in known or one in FUNCTIONS or is_figures(one) for one in pieces)
+    """Whether a text is made of names and numbers with an operator between any two of them, `2*M`, `L*cos(theta)`, or is a known letter."""
+    pieces = [piece for part in text.translate(OPERATORS).split("\n") if (piece := part.strip())]
+    names = [piece for piece in pieces if piece.replace(".", "").isidentifier()]
+    known = all(name in letters for name in names)  # beside a unit a name may be one too: `3 m/s2`
+    made = known or (len(pieces) > 1 and not any(" " in piece for piece in pieces))
+    return made and bool(names) and all(piece in names or is_figures(piece) for piece in pieces)
 
 
 def is_figures(piece: str) -> bool:
-    """Whether a piece is a number in figures, `12` or `0.5`."""
-    return piece.isascii() and piece.replace(".", "", 1).isdigit()
+    """Whether a piece is a number in figures, `12` or `0.5`, perhaps with one unit, `90 deg`."""
+    number, _, unit = piece.partition(" ")
+    return number.isascii() and number.replace(".", "", 1).isdigit() and (not unit or names_unit(unit))
 
 
 def told_foreign(scope: Scope, node: Text) -> bool:
