@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 from zlib import crc32
 
 from rotsolve.page import blocks
-from rotsolve.page.blocks import FixedPage, PageBlock, Paragraph, Phrase
+from rotsolve.page.blocks import LABEL, FixedPage, PageBlock, Paragraph, Phrase
 from rotsolve.page.formats import WIDTH, Format
 from rotsolve.page.html import Html
 from rotsolve.page.languages import language_named
@@ -26,6 +26,8 @@ WITHIN = "\\g<0>\N{WORD JOINER}"  # the same within an attribute
 
 class FragmentHtml(Html):
     """Pages as HTML within that of a platform. Signs in prose that a platform would take for its own, as \\(, {1: or [[, are put apart."""
+
+    styles: ClassVar = {**Html.styles, LABEL: "<b>{}</b> "}  # there is no style sheet
 
     def __init__(self, place: str = "") -> None:
         self.place = place  # in front of the name of a file
