@@ -63,8 +63,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
     @remembered
     def seats(self, state: str) -> dict[str, Member]:
         """Where the bodies sit that another stands for: by a weld, by an event up to this state, or since they ride on it."""
-        pairs = [ridden(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
-        pairs += self.joints(state)
+        pairs = self.junctions(state)
         if not pairs:
             return {}
         held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points())
@@ -79,6 +78,20 @@ class Configuration(Arrangement, frozen=True, dict=True):
             lambda ref: self._met_at(ref, state),
             lambda first, second: self._bend(first, second, state),
         )
+
+    @remembered
+    def junctions(self, state: str) -> list[tuple[PointRef, PointRef]]:
+        """The points at which bodies meet that are one: where one rides on the other, or is joined to it."""
+        riding = [ridden(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
+        return riding + self.joints(state)
+
+    @remembered
+    def pinned(self, name: str, state: str) -> bool:
+        """Whether a hinge or axle holds a body to the ground, or one that is one with it. Which of them stands for all may hang on this."""
+        one, owners = {name}, [{ref.owner for ref in pair} for pair in self.junctions(state)]
+        while more := set().union(*(pair for pair in owners if pair & one)) - one:
+            one |= more
+        return any(self.pivot(member, state) is not None for member in one)
 
     @remembered
     def joints(self, state: str) -> list[tuple[PointRef, PointRef]]:
