@@ -77,7 +77,7 @@ class RootChoice(Struct, frozen=True):
             numbered = [(index, roots[index]) for index, _ in real]
         if len(real) == 1:
             index, number = real[0]
-            opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
+            opposed = isinstance(roots[index], Number) and self._expected(name)[0](roots[index]) == -1
             return PickedRoot(index, dropped, fits=not opposed)
         return self._of_several(name, real, numbered, roots, period)
 
@@ -140,8 +140,8 @@ class RootChoice(Struct, frozen=True):
         reached = self._first_round(name, numbered) if reached is None else reached
         if reached is not None:
             return reached
-        sign, words = self._expected(name)
-        fitting = [entry for entry in real if entry[1] * sign > 0]
+        fits, words = self._expected(name)
+        fitting = [entry for entry in real if fits(roots[entry[0]]) == 1]
         if fitting:
             return PickedRoot(self._smallest(fitting, roots), words, guessed=len(fitting) > 1)
         if self._is_angle(name):
@@ -209,19 +209,33 @@ class RootChoice(Struct, frozen=True):
             return False
         return is_zero(found.get(rate.name, rate))
 
-    def _expected(self, name: str) -> tuple[int, Words]:
-        """The sign that a letter must have, also one that is a multiple of another, as a momentum is of a velocity, a work of a way."""
+    def _expected(self, name: str) -> tuple[Callable[[Formula], int], Words]:
+        """Which sign a letter must have, +1 for a value that has it; also of one that a single other letter tells, as an angular momentum
+        that of a turn, or a work a way: what that letter would be must have its sign."""
         expected = Expected(self.scene, self.givens, self.numbers)
         sign, words = expected.sign(name)
-        formula = None if sign else self.definition(name) or self._spelled(name)
-        letters = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
-        if formula is None or len(letters) != 1 or self.numbers.found(formula.substitute({letters[0]: ZERO})) != 0.0:
-            return sign, words
-        share = self.numbers.sign([formula.substitute({letters[0]: ONE})])
-        sign, words = expected.sign(letters[0])
-        if not sign and self._is_rate(letters[0]):  # its positive root is taken where it is asked for itself
-            sign, words = 1, (Symbol(letters[0]), " > 0")
-        return share * sign, words
+        letter, worth = (name, Symbol(name)) if sign else self._led_by(name)
+        if letter != name:
+            sign, words = expected.sign(letter)
+            if not sign and self._is_rate(letter):  # its positive root is taken where it is asked for itself
+                sign, words = 1, (Symbol(letter), " > 0")
+        return lambda value: sign * (self.numbers.side(worth.substitute({name: value})) or 0), words
+
+    def _led_by(self, name: str) -> tuple[str, Formula]:
+        """The only letter, not yet found or found by this one, of those for which it stands, with what it is by it; else itself."""
+        own = self.definition(name) or self._spelled(name)
+        found = {key: self.numbers.with_answers(Symbol(key)) for key in own.symbols() if is_key(key)} if own else {}
+        led = {key: value for key, value in found.items() if value.symbols() & {name, key}}
+        if own is None or len(led) != 1:
+            return name, Symbol(name)
+        [(letter, worth)] = led.items()
+        if letter not in worth.symbols():
+            return letter, worth
+        formula = own.substitute({key: value for key, value in found.items() if key != letter})
+        rest, whole = (formula.substitute({letter: value}) for value in (ZERO, ONE))
+        share = simplify(whole - rest)
+        linear = share != ZERO and is_zero(formula - rest - share * Symbol(letter))
+        return (letter, (Symbol(name) - rest) / share) if linear else (name, Symbol(name))
 
     def _is_rate(self, name: str) -> bool:
         """Whether a letter of the laws tells how fast something moves or turns."""
