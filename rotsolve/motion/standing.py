@@ -342,9 +342,10 @@ class Standing(Struct, frozen=True, dict=True):
             for item in carried
         )
         told |= self._time_passes() and any(path.component is not None for path in paths)
-        if self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told:
-            return False
-        return any(map(self._goes_round, asked)) or self._asks_of_joint(name, carried)
+        if self._asks_of_joint(name, carried):
+            return True
+        unknown = self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told
+        return not unknown and any(map(self._goes_round, asked))
 
     def _turns_with(self, path: Path, name: str) -> bool:
         """Whether a quantity goes by how its body is turned: about a fixed axis sizes, and parts along the way, do not."""

@@ -77,3 +77,26 @@ find: {v: hammer.head.speed at end, K: hammer.kinetic_energy at end}
     moves = 3 - G * 0.3j + 4j * 0.2 * exp(1.2j)
     assert isclose(found["v"].float or 0, abs(moves), rel_tol=1e-6)
     assert isclose(found["K"].float or 0, 1.5 * abs(3 - G * 0.3j) ** 2 + 0.5 * (0.16 + 2 * 0.04) * 16, rel_tol=1e-6)
+
+
+@pytest.mark.parametrize("question", ["axle.force.x", "axle.force.y", "bolt.force.x", "bolt.force.y"])
+@pytest.mark.parametrize("collar", ["", ", press: P, friction: mu, radius: a"], ids=["smooth", "rubbing"])
+def test_forces_at_a_joint_go_round_with_the_body_that_it_holds(question: str, collar: str) -> None:
+    """On a level plane a couple turns a disc with a plate on its rim, against a collar or not, for a told time: what holds them there."""
+    scene = f"""
+plane: horizontal
+given: {{M: {N} kg, m: {M} kg, R: {R} m, L: {L} m, Q: 3 N m, P: 5 N, mu: 0.4, a: 0.2 m, t1: {T} s}}
+bodies: {{hub: {{shape: disc, mass: M, radius: R}}, plate: {{shape: rectangle, mass: m, sides: [L, L]}}}}
+connections: {{axle: {{axle: hub{collar}}}, bolt: {{weld: [hub.top, plate.center]}}}}
+actions: {{twist: {{couple: Q, on: hub}}}}
+states: {{start: {{at rest: all}}, end: {{time: t1}}}}
+find: {{q: {question} at end}}
+"""
+    drag = 2 / 3 * 0.4 * 5 * 0.2 if collar else 0.0  # of a flat collar that is pressed evenly
+    rate = (3 - drag) / (N * R**2 / 2 + M * L**2 / 6 + M * R**2)
+    pull = M * (1j * rate - (rate * T) ** 2) * 1j * R * exp(1j * rate * T**2 / 2)
+    solution = solve(scene if collar else scene.replace(", P: 5 N, mu: 0.4, a: 0.2 m", ""))
+    found = solution.answers["q"].float
+    expected = pull.real if question.endswith("x") else pull.imag
+    assert found is not None and isclose(found, expected, rel_tol=1e-6), found
+    assert all(item.holds for item in solution.derivation.confirmed)
