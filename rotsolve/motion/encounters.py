@@ -119,6 +119,9 @@ def modes_through(interval: Interval, first: Instant, last: Instant) -> tuple[di
     start, end = (configuration.phase_start(instant.state) for instant in (first, last))
     stuck = {}
     for item in configuration.connections(first.state):
+        for ref in item.brakes():  # what resists the turn that the event gives
+            names = [f"{item.name}.{instant.host(ref.owner)}" for instant in (first, last)]
+            modes[rub_key(names[0], start)] = last.modes.get(rub_key(names[1], end), "")
         if item.rubs():
             after = last.modes.get(rub_key(item.name, end), STICKS)
             modes[rub_key(item.name, start)] = last.modes.get(rub_key(item.name, interval.name), after)
