@@ -261,7 +261,9 @@ class Model:
 
     @cached_property
     def diverted(self) -> frozenset[str]:
-        """Bodies that no line leads since an event has joined them to one that goes another way, or to a place that goes round in one."""
+        """Bodies that no line leads since an event has joined them to one that goes another way, or to a place that goes round in one.
+
+        The ground goes on bearing what travels on the level."""
         lying = {item.lying() for item in self.acting.connections}
         found: set[str] = set()
         for event in self.acting.joined():
@@ -272,7 +274,10 @@ class Model:
         for pair in self.met:
             one, two = (line(name, self) for name in pair)
             if one is None or two is None or abs(one[0] * two[1] - one[1] * two[0]) > 1e-9:
-                found |= set() if lying & set(pair) else set(pair)
+                borne = {
+                    name for name, way in zip(pair, (one, two), strict=True) if self.upright and way and not way[1]
+                }
+                found |= set() if lying & set(pair) else set(pair) - (borne if len(borne) == 1 else set())
         return frozenset(found)
 
     @property

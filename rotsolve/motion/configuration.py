@@ -72,6 +72,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
             lambda name: (
                 name in held,
                 *self._carried_along(name, state),
+                self._borne(name),
                 not shape_of(self.bodies[name]).pointlike,
                 self._turn_tells(name, state),
             ),
@@ -113,6 +114,10 @@ class Configuration(Arrangement, frozen=True, dict=True):
         body, items = self.bodies[name], self.connections(state)
         on_surface = any(item.track(body, self, state) or item.orbit(body, self, state) for item in items)
         return on_surface, any(item.hangs(body) for item in items)
+
+    def _borne(self, name: str) -> bool:
+        """Whether the ground bears a body, which `moves` on the level: what falls on it goes on with it."""
+        return self.heavy and self.problem.plane == "vertical" and self.bodies[name].moves in ("left", "right")
 
     def _met_at(self, ref: PointRef, state: str) -> Vector:
         """Where a body is joined, in its own axes: that of a rim by an event is the mark that is in this direction in space then."""
