@@ -72,9 +72,9 @@ class Configuration(Arrangement, frozen=True, dict=True):
             lambda name: (
                 name in held,
                 *self._carried_along(name, state),
-                self._borne(name),
                 not shape_of(self.bodies[name]).pointlike,
                 self._turn_tells(name, state),
+                self._borne(name),
             ),
             lambda ref: self._met_at(ref, state),
             lambda first, second: self._bend(first, second, state),
