@@ -147,7 +147,11 @@ class RootChoice(Struct, frozen=True):
         if self._is_angle(name):
             return PickedRoot(self._smallest(real, roots), ("the smallest angle",), guessed=True)
         positive = [entry for entry in real if entry[1] >= 0]
-        return PickedRoot(self._smallest(positive or real, roots), ("the positive root",), guessed=len(positive) != 1)
+        opposed = all(
+            isinstance(root, Number) and fits(root) == -1 for _, root in numbered
+        )  # one that fits lies farther
+        picked = self._smallest(positive or real, roots)
+        return PickedRoot(picked, ("the positive root",), guessed=len(positive) != 1, fits=not opposed)
 
     def _first_round(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
         """Of several places on a round side of a body the one to which comes first what is told to move at the state before."""
