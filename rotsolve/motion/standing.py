@@ -380,10 +380,13 @@ class Standing(Struct, frozen=True, dict=True):
         return self.configuration.swings_round(place, self.state)
 
     def stands_as_drawn(self, name: str) -> bool:
-        """Whether a body slides along as it is drawn, with nothing said of its angle."""
-        flat = self.travels_on_line(name)
-        said = self.configuration.mentions.says
-        return flat and not self.configuration.can_turn(name, self.state) and not said(self.state, name, "angle")
+        """Whether a body slides along as it is drawn, with nothing said of its angle at any state."""
+        states, said = self.configuration.timeline.states, self.configuration.mentions.says
+        return self.never_turns(name) and not any(said(state.name, name, "angle") for state in states)
+
+    def never_turns(self, name: str) -> bool:
+        """Whether a body slides along a line and does not turn."""
+        return self.travels_on_line(name) and not self.configuration.can_turn(name, self.state)
 
     def travels_on_line(self, name: str) -> bool:
         """Whether a body travels along a line."""
