@@ -218,28 +218,29 @@ class RootChoice(Struct, frozen=True):
         that of a turn, or a work a way: what that letter would be must have its sign."""
         expected = Expected(self.scene, self.givens, self.numbers)
         sign, words = expected.sign(name)
-        letter, worth = (name, Symbol(name)) if sign else self._led_by(name)
-        if letter != name:
+        worth: Formula = Symbol(name)
+        for letter, value in () if sign else self._led_by(name):
             sign, words = expected.sign(letter)
             if not sign and self._is_rate(letter):  # its positive root is taken where it is asked for itself
                 sign, words = 1, (Symbol(letter), " > 0")
+            if sign:
+                worth = value
+                break
         return lambda value: sign * (self.numbers.side(worth.substitute({name: value})) or 0), words
 
-    def _led_by(self, name: str) -> tuple[str, Formula]:
-        """The only letter, not yet found or found by this one, of those for which it stands, with what it is by it; else itself."""
+    def _led_by(self, name: str) -> list[tuple[str, Formula]]:
+        """The letters for which one stands that are found by it, or the only one that is not found, each with what it is by it."""
         own = self.definition(name) or self._spelled(name)
         found = {key: self.numbers.with_answers(Symbol(key)) for key in own.symbols() if is_key(key)} if own else {}
-        led = {key: value for key, value in found.items() if value.symbols() & {name, key}}
-        if own is None or len(led) != 1:
-            return name, Symbol(name)
-        [(letter, worth)] = led.items()
-        if letter not in worth.symbols():
-            return letter, worth
-        formula = own.substitute({key: value for key, value in found.items() if key != letter})
-        rest, whole = (formula.substitute({letter: value}) for value in (ZERO, ONE))
+        led = [(key, value) for key, value in found.items() if name in value.symbols()]
+        left = [key for key, value in found.items() if key in value.symbols()]
+        if own is None or led or len(left) != 1:
+            return [] if left else sorted(led)
+        formula = own.substitute({key: value for key, value in found.items() if key != left[0]})
+        rest, whole = (formula.substitute({left[0]: value}) for value in (ZERO, ONE))
         share = simplify(whole - rest)
-        linear = share != ZERO and is_zero(formula - rest - share * Symbol(letter))
-        return (letter, (Symbol(name) - rest) / share) if linear else (name, Symbol(name))
+        linear = share != ZERO and is_zero(formula - rest - share * Symbol(left[0]))
+        return [(left[0], (Symbol(name) - rest) / share)] if linear else []
 
     def _is_rate(self, name: str) -> bool:
         """Whether a letter of the laws tells how fast something moves or turns."""

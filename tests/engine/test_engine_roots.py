@@ -274,3 +274,18 @@ find: {{q: QUESTION at end}}
     }
     for question, expected in true.items():
         assert value(scene.replace("QUESTION", question), "q") == pytest.approx(expected, rel=1e-6), question
+
+
+@pytest.mark.parametrize("time", [0.2, 0.6, 1.3])
+def test_what_goes_by_several_rates_has_the_sign_of_each(time: float) -> None:
+    """A ball rolls to and fro on a spring: (7/5) M ẍ = −k x; about where it touches it has (7/5) M R v, clockwise as it goes right."""
+    scene = f"""
+given: {{R: 0.5 m, M: 5 kg, k: 70 N/m, x: 1 m, t1: {time} s}}
+surfaces: {{floor: level}}
+bodies: {{ball: {{shape: sphere, mass: M, radius: R, moves: right}}}}
+connections: {{base: {{rolls: [ball, floor]}}, coil: {{spring: [ground, ball], stiffness: k}}}}
+states: {{start: {{coil.elongation: x, at rest: all}}, end: {{time: t1}}}}
+find: {{q: ball.angular_momentum about ball.bottom at end}}
+"""
+    beat = math.sqrt(70 / 7)
+    assert value(scene, "q") == pytest.approx(-7 * 0.5 * beat * math.sin(beat * time), rel=1e-6)
