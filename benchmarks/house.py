@@ -89,8 +89,8 @@ class House:
 
     @cached_property
     def functions(self) -> dict[str, list[str]]:
-        """The modules that define each function name at module level."""
-        return self._defined(ast.FunctionDef)
+        """The modules that define each function name at module level, but for Python's own such as `__getattr__`."""
+        return {name: modules for name, modules in self._defined(ast.FunctionDef).items() if not name.startswith("__")}
 
     def _defined(self, sort: type[ast.ClassDef] | type[ast.FunctionDef]) -> dict[str, list[str]]:
         found: dict[str, list[str]] = defaultdict(list)

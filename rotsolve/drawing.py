@@ -92,10 +92,10 @@ def picture_asked(problem: Problem, request: DrawRequest) -> Figure:
     if not request.free_bodies:
         return scene_picture(problem, request.state)
     try:
-        forward = solve_problem(problem, confirm=False).trace.forward
+        ways = solve_problem(problem, confirm=False).trace.acting()
     except Unsolvable:
-        forward = frozenset()  # nothing tells which way frictions act
-    return free_body_picture(problem, request.state, forward)
+        ways = None  # no answer tells which way forces act
+    return free_body_picture(problem, request.state, ways)
 
 
 def file_names(files: tuple[str, ...], request: DrawRequest) -> dict[str, str]:

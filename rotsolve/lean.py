@@ -81,10 +81,10 @@ class Near(SourceFileLoader):
     def get_code(self, fullname: str) -> CodeType | None:
         marks = (int(self.source.st_mtime), self.source.st_size)
         known = self.together.get(self.path)
-        code = known[1] if known is not None and known[0] == marks else self.read_code(head_of(marks))
-        if code is None:
-            return super().get_code(fullname)
-        self.loaded[self.path] = marks, code
+        code = known[1] if known is not None and known[0] == marks else self.read_code(bytecode_head(marks))
+        code = super().get_code(fullname) if code is None else code
+        if code is not None:
+            self.loaded[self.path] = marks, code
         return code
 
     def read_code(self, head: bytes) -> CodeType | None:
@@ -100,7 +100,7 @@ class Near(SourceFileLoader):
         return code if code.co_filename == self.path else None
 
 
-def head_of(marks: tuple[int, int]) -> bytes:
+def bytecode_head(marks: tuple[int, int]) -> bytes:
     """How bytecode begins that goes by a source of this time and size."""
     return UNCHANGED + b"".join((mark & 0xFFFFFFFF).to_bytes(4, "little") for mark in marks)
 
@@ -127,7 +127,7 @@ def keep_together() -> None:
     loader, source = SourceFileLoader(module.__name__, module.__file__), os.stat(module.__file__)
     code = loader.source_to_code(loader.get_data(module.__file__), module.__file__)
     code = code.replace(co_consts=tuple(pieces if const == () else const for const in code.co_consts))
-    loader.set_data(module.__spec__.cached, head_of((int(source.st_mtime), source.st_size)) + dumps(code))
+    loader.set_data(module.__spec__.cached, bytecode_head((int(source.st_mtime), source.st_size)) + dumps(code))
 
 
 class PutOff(ModuleType):

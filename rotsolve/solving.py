@@ -29,12 +29,14 @@ from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.consistency import KnownBalls, contradiction, just_stops, turned_back, untimely
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search, asked_letter
+from rotsolve.search.uncovered import why_uncovered
 from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
+    from rotsolve.search.acting import ActingWays
     from rotsolve.search.friction import Decision
 
 
@@ -271,6 +273,13 @@ def solved_for(letter: str, search: Search) -> Formula | float | None:
     return found.formula or (None if found.number is None else found.number.float)
 
 
+def ways_by(searches: tuple[Search, ...]) -> ActingWays:
+    """What tells which way forces act; it is loaded when a picture asks."""
+    from rotsolve.search.acting import ActingWays
+
+    return ActingWays(searches)
+
+
 def other_roots(letter: str, search: Search) -> tuple[Formula, ...]:
     """The roots beside that which the answers make of a letter of the scene, if only aside."""
     own = search if letter in search.solver.solved else search.beside_by(families_for(None))
@@ -318,7 +327,7 @@ def composed(
         lambda: validity_of(search),
         lambda: meanings_of(composer),
         idle=idle,
-        forward=search.scene.configuration.forward,
+        acting=lambda: ways_by((search,)),
         by_law=lambda law: solved(problem, search.scene.configuration, law, digits, at).derivation,
         letter=lambda letter: solved_for(letter, search),
         others=lambda letter: other_roots(letter, search),
@@ -374,9 +383,9 @@ def check_consistent(search: Search) -> KnownBalls:
         raise turns_back(back, search.scene.configuration.problem)
     broken, balls = contradiction(search)
     if broken is not None:
-        from rotsolve.search.explain import contradicted
+        from rotsolve.search.explain import contradicted, with_way
 
-        raise contradicted(broken, search.scene)
+        raise with_way(contradicted(broken, search.scene), search)
     if search.scene.encounters:
         from rotsolve.derivation.requirements import let_go
 
@@ -437,6 +446,7 @@ def check_law(search: Search, law: str) -> None:
     problem = search.scene.configuration.problem
     if used - {""} and law not in used:
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
-        message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here"
+        reason = why_uncovered(law, problem.finds[0], search.scene) if others else ""
+        message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here{reason}"
         why = "".join(f"; {reason}" for reason in search.scene.not_restated[:1])
         raise unsolvable(problem, message, None, f"it takes {others or 'none of the laws: leave `--law` out'}{why}")

@@ -7,8 +7,8 @@ from typing import Any
 
 from msgspec.structs import replace
 
+from rotsolve.elements.asked import is_touch
 from rotsolve.elements.connections.supports import Axle, Hinge
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body
 from rotsolve.language.elements import Action, Connection, Event
@@ -95,7 +95,7 @@ class InForce:
 def taken_off(event: Event, passed: Sequence[Event], present: Sequence[Connection]) -> list[Connection]:
     """The contacts of what an event joins to a body that turns on a hinge or an axle: it goes round with that, off what it lies on."""
     links = [[ref.owner for ref in item.joined()] for item in (*passed, *present) if item.joined()]
-    contacts = [item for item in present if isinstance(item, Touch)]
+    contacts = [item for item in present if is_touch(item)]
     lying = {item.lying() for item in contacts}
     turning = set()
     for item in present:

@@ -13,15 +13,14 @@ from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot
-from rotsolve.confirm.constraints import ROWS, held_by
+from rotsolve.confirm.constraints import held_by, plain_rows
 from rotsolve.confirm.jet import Slope
 from rotsolve.confirm.linear import Solved, solved
 from rotsolve.confirm.lines import Stated, told
 from rotsolve.confirm.pose import Pose, Way
 from rotsolve.confirm.rows import EDGE, Grip, Row, unknown
 from rotsolve.confirm.seating import seated
-from rotsolve.elements.connections.drapes import Drapes
-from rotsolve.elements.connections.springs import Spring
+from rotsolve.elements.asked import is_drapes, is_spring
 from rotsolve.elements.shapes import shape_of
 
 if TYPE_CHECKING:
@@ -169,7 +168,7 @@ def gathered(model: Known, pose: Pose, without: Collection[str] = ()) -> tuple[l
     for name, seat in model.seats.items():
         if model.gravity and seat.rigid.mass and name not in model.hung:
             loads[f"weight of {name}"] = {seat.first + 1: -seat.rigid.mass * model.gravity}
-    if not model.acting.actions and all(type(item) in ROWS for item in model.acting.connections):
+    if not model.acting.actions and all(plain_rows(type(item)) for item in model.acting.connections):
         return rows, grips, loads
     from rotsolve.confirm.forces import forces
 
@@ -218,7 +217,7 @@ def placed(
     if start is None:
         origin = q
     clash = worst if worst > 1e-9 else 0.0
-    if any(isinstance(item, (Spring, Drapes)) for item in model.acting.connections):
+    if any((is_spring(item) or is_drapes(item)) for item in model.acting.connections):
         from rotsolve.confirm.forces import stretched
 
         offsets |= stretched(model, Pose(model.seats, q, still, time, offsets, origin), offsets)
@@ -246,7 +245,7 @@ def stirred(model: Known, stir: float) -> list[float]:
 def at_balance(model: Known, at: Placed) -> Placed:
     """How far springs are stretched where they hold bodies at rest: by the forces that this takes."""
     pose = at.pose(model)
-    springs = [item for item in model.acting.connections if isinstance(item, Spring) and item.stiffness is not None]
+    springs = [item for item in model.acting.connections if is_spring(item) and item.stiffness is not None]
     springs = [item for item in springs if item.name not in at.offsets]
     if not springs:
         return at

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.confirm.bodies import radius_of
-from rotsolve.confirm.constraints import Held, friction
+from rotsolve.confirm.constraints import Held
 from rotsolve.confirm.jet import Jet, cosine, sine
 from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import held
+from rotsolve.confirm.touches import friction
 from rotsolve.elements.connections.leaning import Leans
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.surfaces import Corner

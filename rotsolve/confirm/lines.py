@@ -15,14 +15,14 @@ from rotsolve.confirm.pose import Pair, Pose, Way, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
 from rotsolve.confirm.signs import RIGHT, UP, carrier_travels, round_way, surface_of, taken_from_under
-from rotsolve.elements.connections.drapes import Drapes
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.asked import is_drapes, is_touch
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Condition, Path
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.connections.touch import Touch
 
 
 class Stated(Struct, frozen=True):
@@ -146,11 +146,11 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
     if path.quantity == "displacement" and (item := on_side(path.owner, model)) is not None:
         return gone_down(item, pose, model, gone=True)
-    if isinstance(contact, Drapes) and path.quantity == "length":
+    if is_drapes(contact) and path.quantity == "length":
         from rotsolve.confirm.carried import hanging
 
         return hanging(contact, pose, model) + pose.offsets.get(contact.name, 0.0)
-    if isinstance(contact, Touch) and path.quantity == "angle":
+    if is_touch(contact) and path.quantity == "angle":
         surface = surface_of(contact, model)
         if isinstance(surface, Curved):
             x, y = from_middle(contact, pose, model)
@@ -182,7 +182,7 @@ def twist(wound: Sequence[str], pose: Pose, model: Known) -> Jet:
 def once_round(path: Path, model: Known) -> float | None:
     """How much a place on a curved surface grows on the way once round it, where it reads as it began; None of other places."""
     contact = next((item for item in model.acting.connections if item.name == path.owner), None)
-    if path.quantity == "angle" and isinstance(contact, Touch):
+    if path.quantity == "angle" and is_touch(contact):
         return 2 * math.pi
     found = bent(path.owner, model) if path.quantity == "displacement" and path.component is None else None
     return 2 * math.pi * circle_of(found, model) if found is not None else None
@@ -211,7 +211,7 @@ def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
 def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     """The contact by which a body is on a curved surface of known form."""
     for item in model.acting.connections:
-        if isinstance(item, Touch) and item.lying() == name:
+        if is_touch(item) and item.lying() == name:
             surface = surface_of(item, model)
             if isinstance(surface, Curved) and surface.radius() is not None and not carrier_travels(item, model):
                 return item, surface

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from functools import cached_property
 from itertools import permutations
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
@@ -32,13 +32,15 @@ from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way, along
 from rotsolve.confirm.signs import carrier_of, carriers, grounded, line, sense
-from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.asked import is_drapes, is_touch
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.problem import Problem
+
+if TYPE_CHECKING:
+    from rotsolve.elements.connections.touch import Touch
 
 
 class Model:
@@ -115,7 +117,7 @@ class Model:
 
     def _led(self, name: str, own: Way | None) -> Way | None:
         """A line of travel, along the surface on which something lies that is joined to the body."""
-        lying = {item.lying() for item in self.acting.connections if isinstance(item, Touch)}
+        lying = {item.lying() for item in self.acting.connections if is_touch(item)}
         if own is None or name in lying:
             return own
         ways = (line(other, self) for other in self.joined_to(name) if other in lying)
@@ -189,17 +191,16 @@ class Model:
         body = self.body(name)
         for item in self.acting.connections:
             if item.lying() == name and (
-                is_round(body)
-                or (isinstance(item, Touch) and (on_rim(body, item.pair()[0].point) or self.rocking(name, item)))
+                is_round(body) or (is_touch(item) and (on_rim(body, item.pair()[0].point) or self.rocking(name, item)))
             ):
-                part = isinstance(item, Touch) and part_of(body, item.pair()[0].point) is not None
+                part = is_touch(item) and part_of(body, item.pair()[0].point) is not None
                 return PointRef(name, item.pair()[0].point if part else None)
         return None
 
     def rocking(self, name: str, on: Touch | None = None) -> Rocker | None:
         """The round side with which a body lies on something, or on that alone which a contact names."""
         for item in self.acting.connections if on is None else (on,):
-            if isinstance(item, Touch) and item.lying() == name:
+            if is_touch(item) and item.lying() == name:
                 found = rocker(self.body(name), item.pair()[0].point, self.value)
                 if found is not None:
                     return found
@@ -230,7 +231,7 @@ class Model:
     @cached_property
     def hung(self) -> frozenset[str]:
         """Ropes, whose weight what they hang over tells, part by part; several riders, whose weights balance."""
-        ropes = {item.drapes[0].owner for item in self.acting.connections if isinstance(item, Drapes)}
+        ropes = {item.drapes[0].owner for item in self.acting.connections if is_drapes(item)}
         riders = (
             ride.rider.owner for item in self.acting.connections if (ride := item.ride()) is not None and ride.free
         )
@@ -244,7 +245,7 @@ class Model:
     @cached_property
     def guided(self) -> tuple[str, ...]:
         """Bodies that travel along a line without a surface that would lead them, and are not joined to what goes another way."""
-        touching = {item.lying() for item in self.acting.connections if isinstance(item, Touch)}
+        touching = {item.lying() for item in self.acting.connections if is_touch(item)}
         lying = {other for name in touching if name in self.seats for other in self.joined_to(name)} | self.hung
         free = {name for name in self.seats if self.line(name) is not None and name not in lying}
         for name in filter(self.turns, free):

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.pose import StringPart, Way, turned
 from rotsolve.confirm.signs import DOWN, RIGHT, UP, WORDS, line, mover, normal, surface_of, uphill
+from rotsolve.elements.asked import is_touch
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Hinge
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Slope, Wall
 from rotsolve.language.bodies import PointRef
 
@@ -174,7 +174,7 @@ def wheeled(item: String, here: int, there: int, model: Known) -> Way | None:
 def lain_on(name: str, model: Known) -> object:
     """The surface on which a body lies, or what carries it."""
     own = mover(name, model)
-    found = (item for item in model.acting.connections if isinstance(item, Touch) and item.lying() == own)
+    found = (item for item in model.acting.connections if is_touch(item) and item.lying() == own)
     return next((surface_of(item, model) for item in found), None)
 
 

@@ -9,14 +9,14 @@ from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.lines import circle_of, on_curve
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import GROUND, carrier_of
-from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.asked import is_belt, is_gear
 from rotsolve.elements.connections.supports import Axle, Hinge
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.connections.touch import Touch
 
 Joint = tuple[PointRef, PointRef]
 
@@ -79,7 +79,7 @@ def spread_out(joints: list[Joint], known: set[str], q: list[float], model: Know
 def gap(one: PointRef, two: PointRef, model: Known) -> float:
     """How far apart two wheels that mesh are."""
     for item in model.acting.connections:
-        if isinstance(item, Gear) and item.gear == (one, two):
+        if is_gear(item) and item.gear == (one, two):
             first, second = (radius_of(model.body(ref.owner), ref.point, model.value) or 0.0 for ref in item.gear)
             return abs(first - second) if item.inside else first + second
     return 0.0
@@ -104,9 +104,9 @@ def joints_of(model: Known) -> list[Joint]:
         points = event.points(model.problem.connections)
         if event.from_ == model.acting.state.name and len(points) == 2:
             found.append((points[0], points[1]))
-    found += [(item.gear[0], item.gear[1]) for item in model.acting.connections if isinstance(item, Gear)]
+    found += [(item.gear[0], item.gear[1]) for item in model.acting.connections if is_gear(item)]
     for item in model.acting.connections:
-        if isinstance(item, Belt):
+        if is_belt(item):
             found += list(zip(item.belt, item.belt[1:], strict=False))
     return found
 

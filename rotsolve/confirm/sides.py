@@ -8,18 +8,19 @@ from typing import TYPE_CHECKING
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.pose import Pair, Pose, Way, along
 from rotsolve.confirm.signs import surface_of, taken_aside, travel
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.asked import is_touch
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.connections.touch import Touch
 
 
 def on_side(name: str, model: Known) -> Touch | None:
     """The contact of that name, where it lays a body on a flat side that goes another way than along itself."""
     item = next((item for item in model.acting.connections if item.name == name), None)
-    if not isinstance(item, Touch) or item.side is None or isinstance(item.side, Curved):
+    if not is_touch(item) or item.side is None or isinstance(item.side, Curved):
         return None
     return item if taken_aside(item, item.side, model) else None
 
@@ -39,7 +40,7 @@ def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
 def on_round_side(name: str, model: Known) -> Touch | None:
     """The contact of that name, where it lays a body on a round side of another one."""
     item = next((item for item in model.acting.connections if item.name == name), None)
-    return item if isinstance(item, Touch) and isinstance(item.side, Curved) else None
+    return item if is_touch(item) and isinstance(item.side, Curved) else None
 
 
 def way_round(item: Touch, pose: Pose, model: Known) -> Way:

@@ -9,11 +9,9 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import is_round, on_rim
 from rotsolve.confirm.pose import Way, heading, turned
-from rotsolve.elements.connections.drapes import Drapes
-from rotsolve.elements.connections.springs import Spring
+from rotsolve.elements.asked import is_drapes, is_spring, is_touch
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import rim_radius, rims
 from rotsolve.elements.surfaces import Curved, Dome, Hollow, Level, Slope, Wall
 from rotsolve.language.bodies import PointRef, Surface
@@ -21,6 +19,7 @@ from rotsolve.language.elements import Connection
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.connections.touch import Touch
 
 WORDS: dict[str, Way] = {"right": (1.0, 0.0), "up": (0.0, 1.0), "left": (-1.0, 0.0), "down": (0.0, -1.0)}
 RIGHT, UP, LEFT, DOWN = WORDS.values()
@@ -75,7 +74,7 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
         if (bent := rim_under(item, model)) is not None:
             return bent
         for other in model.acting.connections:
-            if isinstance(other, Touch) and other.lying() == under.owner and other is not item:
+            if is_touch(other) and other.lying() == under.owner and other is not item:
                 return surface_of(other, model)
         return Level(under.owner)
     found = [model.surfaces[ref.owner] for ref in item.places() if ref.owner in model.surfaces]
@@ -140,7 +139,7 @@ def led_on(name: str, at: PointRef | None, beside: frozenset[str], model: Known)
     for item in model.acting.connections:
         if item.name in beside:
             continue
-        if isinstance(item, Touch) and item.lying() == name and not on_wheel(item, model):
+        if is_touch(item) and item.lying() == name and not on_wheel(item, model):
             return True
         ends = (item.string[0], item.string[-1]) if isinstance(item, String) else getattr(item, "spring", ())
         if not is_round(body) and any(own.owner == name and own.point in (None, "center") for own in ends):
@@ -203,7 +202,7 @@ def taken_from_under(model: Known) -> list[Touch]:
     names = {
         name for event in model.acting.past for name in getattr(event, "cuts", ()) or getattr(event, "removes", ())
     }
-    return [item for item in model.problem.connections if isinstance(item, Touch) and item.name in names]
+    return [item for item in model.problem.connections if is_touch(item) and item.name in names]
 
 
 def line(name: str, model: Known) -> Way | None:
@@ -213,12 +212,12 @@ def line(name: str, model: Known) -> Way | None:
     body = model.body(name)
     bent = False
     for item in model.acting.connections:
-        if isinstance(item, Touch) and item.lying() == name and rests(item, model):
+        if is_touch(item) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
             if surface is not None and not isinstance(surface, Curved) and not taken_aside(item, surface, model):
                 return travel(surface, body.moves, model)
             bent = True
-        if isinstance(item, Drapes) and item.drapes[0].owner == name:
+        if is_drapes(item) and item.drapes[0].owner == name:
             return LEFT if body.moves == "left" else RIGHT
     if bent:
         return None
@@ -241,9 +240,9 @@ def hangs(name: str, model: Known) -> bool:
             refs = (item.string[0], item.string[-1])
             if name in item.under and name not in {ref.owner for ref in refs}:
                 return mover(name, model) == name
-        elif isinstance(item, Spring):
+        elif is_spring(item):
             refs = item.spring
-        elif isinstance(item, Drapes):
+        elif is_drapes(item):
             refs = item.drapes[2:]
         if any(ref.owner == name and ref.point in (None, "center") for ref in refs):
             return mover(name, model) == name
@@ -258,7 +257,7 @@ def sense(name: str, model: Known) -> int:
     begun = {found for event in model.problem.events for found in event.begins()}
     late = [item for item in model.problem.connections if item.name in begun]
     for item in (*model.acting.connections, *late, *taken_from_under(model)):
-        if isinstance(item, Touch) and item.lying() == name and rests(item, model):
+        if is_touch(item) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
             if isinstance(surface, Curved) and carrier_travels(item, model):
                 continue
@@ -268,7 +267,7 @@ def sense(name: str, model: Known) -> int:
                 moves = "down" if taken_aside(item, surface, model) else body.moves
                 ahead, right = travel(surface, moves, model), turned(normal(surface, model), -1)
                 return -1 if ahead[0] * right[0] + ahead[1] * right[1] > 0 else 1
-        if isinstance(item, Drapes) and item.drapes[1].owner == name:
+        if is_drapes(item) and item.drapes[1].owner == name:
             return 1 if model.body(item.drapes[0].owner).moves == "left" else -1
     return 1
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import TypeVar
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, TypeVar
 
 from msgspec.structs import replace
 
@@ -15,9 +15,14 @@ from rotsolve.draw.plane.places.numbers import numbers_for
 from rotsolve.draw.plane.places.overlaps import plane_stage
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.elements.shapes import shape_of
+from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
+
+if TYPE_CHECKING:
+    from rotsolve.draw.plane.facts import SceneFacts
+    from rotsolve.search.acting import ActingWays
 
 Kind = TypeVar("Kind")
 
@@ -38,29 +43,57 @@ def scene_picture(problem: Problem, state: str = "") -> Figure:
 
 
 def free_body_pictures(
-    problem: Problem, state: str = "", forward: frozenset[str] = frozenset()
-) -> list[tuple[str, Figure]]:
-    """A diagram for each body on which something acts at a state, with the name of the body; the friction of those that are
-    `forward` acts the way in which its body is counted."""
+    problem: Problem, state: str = "", ways: ActingWays | None = None
+) -> list[tuple[str, str, Figure]]:
+    """A diagram for each body on which something acts, with its state and the name of the body: at a state that is named, else at those
+    of which the scene asks. `ways` tells which way forces act; without it that is told as far as it is without solving the scene."""
     if problem.space:
         help = "the picture of the scene shows its weights and what the actions exert; `solve --show facts` says all forces"
         raise undrawable("free-body diagrams are drawn of scenes in the plane, and this one is in space", problem, help)
-    from rotsolve.draw.plane.facts import SceneFacts
-    from rotsolve.draw.plane.freebody import free_body_figures
+    from rotsolve.draw.states import states_asked
 
-    found = free_body_figures(SceneFacts(stage_of(problem, state_named(problem, state), forward)))
+    named = state_named(problem, state)
+    found = [] if state else diagrams_at(problem, states_asked(problem), ways)
+    found = found or diagrams_at(problem, (named,), ways)
     if not found:
-        raise undrawable("nothing acts on any body, so there is no free-body diagram", problem)
+        others = (item.name for item in problem.states if item.name != named)
+        other = next((name for name in others if diagrams_at(problem, (name,), ways)), "")
+        help = f"what acts at another state is drawn with `--state {other}`" if other else ""
+        raise undrawable("nothing acts on any body, so there is no free-body diagram", problem, help)
     return found
 
 
-def free_body_picture(problem: Problem, state: str = "", forward: frozenset[str] = frozenset()) -> Figure:
-    """All free-body diagrams of a state in one picture."""
+def diagrams_at(problem: Problem, states: Sequence[str], ways: ActingWays | None) -> list[tuple[str, str, Figure]]:
+    """The diagrams at some states, each look of a body once."""
+    from rotsolve.draw.plane.freebody import free_body_figures, look_of
+
+    found: dict[object, tuple[str, str, Figure]] = {}
+    for known in known_at(problem, states, ways):
+        for body, figure in free_body_figures(known):
+            found.setdefault((body, look_of(figure)), (known.stage.state, body, figure))
+    return list(found.values())
+
+
+def free_body_picture(problem: Problem, state: str = "", ways: ActingWays | None = None) -> Figure:
+    """All free-body diagrams of a scene in one picture."""
     from rotsolve.draw.plane.freebody import diagrams_in_rows
 
-    found = free_body_pictures(problem, state, forward)
-    said = "; ".join(f"{figure.title}: {figure.description}" for _, figure in found)
-    return diagrams_in_rows([figure for _, figure in found], f"{problem.title}: free-body diagrams", said)
+    figures = [figure for _, _, figure in free_body_pictures(problem, state, ways)]
+    said = "; ".join(f"{figure.title}: {figure.description}" for figure in figures)
+    return diagrams_in_rows(figures, f"{problem.title}: free-body diagrams", said)
+
+
+def known_at(problem: Problem, states: Sequence[str], ways: ActingWays | None) -> Iterator[SceneFacts]:
+    """The facts at some states, with the bodies as they stand there by the answers."""
+    from rotsolve.draw.plane.facts import SceneFacts
+    from rotsolve.draw.plane.standing import as_found
+
+    configuration = configured(problem)
+    if ways is not None:
+        configuration = replace(configuration, forward=ways.scene.configuration.forward)
+    scene = SceneEquations(configuration, {} if ways is None else ways.scene.modes)
+    for state in states:
+        yield SceneFacts(stage_of(as_found(problem, state, scene, ways), state), scene, ways)
 
 
 def picture_of(problem: Problem) -> Figure | None:
@@ -71,9 +104,9 @@ def picture_of(problem: Problem) -> Figure | None:
         return None
 
 
-def stage_of(problem: Problem, state: str, forward: frozenset[str] = frozenset()) -> PlaneStage:
+def stage_of(problem: Problem, state: str) -> PlaneStage:
     """A scene in the plane with a place for everything."""
-    return standing_at(plane_stage, replace(configured(problem), forward=forward), state, problem)
+    return standing_at(plane_stage, configured(problem), state, problem)
 
 
 def standing_at(

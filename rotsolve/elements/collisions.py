@@ -173,6 +173,9 @@ class Bounces(Collides, frozen=True):
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return (self.struck,)
 
+    def bounced_off(self) -> tuple[PointRef, Surface | None]:
+        return self.struck, self.surface
+
     def of_centres(self) -> Collides:
         against, own = centre_instead(self.against), centre_instead(self.struck)
         return replace(self, collides=(own, against), struck=own)

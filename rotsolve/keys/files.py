@@ -8,8 +8,11 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
+from msgspec.structs import replace
+
 from rotsolve.keys.sheets import Sheet, SheetPage, key_blocks, key_data, solution_pages
-from rotsolve.page.blocks import FixedPage, PageBlock, Paragraph, Title
+from rotsolve.language.sheet_keys import A4
+from rotsolve.page.blocks import FixedPage, PageBlock, Paragraph, Title, authored
 from rotsolve.page.formats import DATA, Format, format_named
 from rotsolve.page.languages import ENGLISH
 from rotsolve.run.delivery import harmless
@@ -17,16 +20,22 @@ from rotsolve.run.delivery import harmless
 NamedContent = tuple[str, str | bytes]  # the name of a file, and what it holds
 Row = tuple[str, ...]
 CSV = "csv"
+BESIDE = ("latex", "typst", "markdown")  # formats whose pages refer to the files of their images
 CSV_FORMAT = Format(CSV, (".csv",), "tables for spreadsheets", "")  # no page, and none of the formats of pages
-PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find", "positive")
-ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "direction", "word", "exact", "note")
+PROBLEM_COLUMNS = ("variant", "number", "problem", "title", "points", "text", "given", "find", "positive")
+ANSWER_COLUMNS = (
+    *("variant", "number", "problem", "given", "part", "answer", "value", "unit", "direction", "word", "exact", "note"),
+    *("points", "tolerance"),
+)
 
 
-def sheet_files(format: str, numbers: int, digits: int, *, solved: bool, language: str = ENGLISH) -> SheetFiles:
+def sheet_files(
+    format: str, numbers: int, digits: int, *, solved: bool, language: str = ENGLISH, paper: str = A4
+) -> SheetFiles:
     """What makes the files of a format."""
     if format == CSV:
         return TableFiles(CSV_FORMAT, numbers, digits, False)
-    chosen = format_named(format, language)
+    chosen = replace(format_named(format, language), paper=paper)
     return (DataFiles if chosen.use == DATA else PageFiles)(chosen, numbers, digits, solved)
 
 
@@ -57,22 +66,56 @@ class PageFiles(SheetFiles):
     def __init__(self, format: Format, numbers: int, digits: int, solved: bool) -> None:
         super().__init__(format, numbers, digits, solved)
         self.sheets: list[str] = []
-        self.key: list[PageBlock] = [Title(1, ("Answer key",))]
+        self.key: list[PageBlock] = []
+        self.names = frozenset[str]()
+        self.images: dict[str, bytes] = {}
 
     def add(self, sheet: Sheet) -> Iterator[NamedContent]:
-        if sheet.variant and not self.sheets:
-            self.key.append(Paragraph((f"Variants by seed {sheet.seed}",)))
+        if not self.sheets:
+            self.names = sheet.names()
+            self.key += key_head(sheet)
+            self.images = {image.name: image.content() or b"" for image in sheet.images()}
+            yield from images_beside(self.format, self.images)
         self.sheets.append(self.format.body(SheetPage(sheet)))
         self.key.extend(key_blocks(sheet, self.digits))
         if sheet.variant:
-            yield self.name("sheet", sheet.variant), self.format.file(self.sheets[-1:])
+            yield self.name("sheet", sheet.variant), self.format.file(self.sheets[-1:], self.images)
         if self.solved:
             bodies = [*map(self.format.body, solution_pages(sheet, self.digits))]
-            yield self.name("solutions", sheet.variant), self.format.file(bodies)
+            yield self.name("solutions", sheet.variant), self.format.file(bodies, self.images)
 
     def close(self) -> Iterator[NamedContent]:
-        yield self.name("sheet"), self.format.file(self.sheets)
-        yield self.name("key"), self.format.file([self.format.body(FixedPage(tuple(self.key)))])
+        yield self.name("sheet"), self.format.file(self.sheets, self.images)
+        yield self.name("key"), self.format.file([self.format.body(KeyPage(tuple(self.key), words=self.names))])
+
+
+class KeyPage(FixedPage, frozen=True):
+    """The answers of all variants."""
+
+    words: frozenset[str] = frozenset()
+
+    def names(self) -> frozenset[str]:
+        return self.words
+
+
+def key_head(sheet: Sheet) -> Iterator[PageBlock]:
+    """The title of a key, that of its sheet, and the seed of its variants."""
+    yield Title(1, ("Answer key", *((": ", authored(sheet.set.title)) if sheet.set.title else ())))
+    if sheet.variant:
+        yield Paragraph((f"Variants by seed {sheet.seed}",))
+
+
+def images_beside(format: Format, images: Mapping[str, bytes]) -> Iterator[NamedContent]:
+    """The files of the images to which the pages of a format refer; an SVG for LaTeX as a PDF."""
+    if format.name not in BESIDE:
+        return
+    for name, content in images.items():
+        if format.name == "latex" and name.endswith(".svg"):
+            from rotsolve.page.press import printed_image
+
+            yield name.replace(".svg", ".pdf"), printed_image(name, content)
+        else:
+            yield name, content
 
 
 class DataFiles(SheetFiles):
@@ -112,21 +155,26 @@ def rows_of_sheets(
     """Rows for the data of each problem, with its variant and its name in front."""
     for sheet in sheets:
         for problem in sheet["problems"]:
-            yield from ((str(sheet.get("variant", "")), problem["problem"], *row) for row in cells(problem))
+            place = (str(sheet.get("variant", "")), str(problem["number"]), problem["problem"])
+            yield from ((*place, *row) for row in cells(problem))
 
 
 def problem_cells(problem: Mapping[str, Any]) -> Iterator[Row]:
     """A statement."""
-    lists = ("; ".join(problem[key]) for key in ("given", "find", "positive"))
-    yield (problem["title"], problem["text"].replace("\n", " "), *lists)
+    given, positive = ("; ".join(problem[key]) for key in ("given", "positive"))
+    find = "; ".join(f"({part['part']}) {part['asked']}" for part in problem["parts"])
+    yield (problem["title"], problem["points"], " ".join(problem["text"].split()), given, find, positive)
 
 
 def answer_cells(problem: Mapping[str, Any]) -> Iterator[Row]:
     """The answers, a row each."""
     givens = "; ".join(given["text"] for given in problem["given"])
-    for label, answer in with_components(problem["answers"]):
-        texts = (answer[key] or "" for key in ("value", "unit", "direction", "word"))
-        yield (givens, label, *texts, answer["exact"]["text"] if answer["exact"] else "", answer["note"])
+    for whole in problem["answers"]:
+        for label, answer in with_components([whole]):
+            texts = (answer[key] or "" for key in ("value", "unit", "direction", "word"))
+            exact = answer["exact"]["text"] if answer["exact"] else ""
+            marks = (whole["points"], whole["tolerance"]) if answer is whole or "rows" in whole else ("", "")
+            yield (givens, whole["part"], label, *texts, exact, answer["note"], *marks)
 
 
 def with_components(answers: Iterable[Mapping[str, Any]], whole: str = "") -> Iterator[tuple[str, Mapping[str, Any]]]:

@@ -2,65 +2,70 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Collection, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.notation.letters import greek
 from rotsolve.algebra.notation.letters import parts as letter_parts
-from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.writing import spoken
-from rotsolve.page.blocks import Math, Phrase, Styled
+from rotsolve.keys.asked import asked_in_words
+from rotsolve.keys.parts import SheetPart, parts_of
+from rotsolve.page.blocks import Bullet, Bullets, Math, PageBlock, Paragraph, Phrase, authored
 from rotsolve.page.values import given_equation, given_value
-from rotsolve.scene.statement import prose_and_slots, slots
+from rotsolve.scene.statement import Filler, Slot, Tex, slots, statement_blocks, wording_phrase
+from rotsolve.scene.tex import tex_phrase
 
 if TYPE_CHECKING:
     from rotsolve.keys.working import Worked
-    from rotsolve.language.problem import Find, Given
+    from rotsolve.language.problem import Given, Problem
 
-PATH = re.compile(r"[^\W\d]\w*(?:\.at\([^)]*\)|\.\w+)+")  # rod.end.speed
 WORD = re.compile(r"(?<![\w./^])(?<!\d )[A-Za-z]\w*(?![\w/^])")  # no unit behind its number
 ENGLISH = ("a", "A", "I")
-AXES = ("x", "y", "z", "xx", "yy", "zz", "xy", "yz", "zx")
+
+
+class AskedPart(Struct, frozen=True):
+    """What is asked in one part; `worded` by the author of the scene."""
+
+    part: SheetPart
+    words: Phrase
+    worded: bool
 
 
 class Statement(Struct, frozen=True):
-    """The title, the paragraphs of the text, the givens that it does not name, what is asked, and which way answers are positive."""
+    """The title, the text, the givens that it does not name, what is asked, and which way answers are positive."""
 
     title: str
-    text: tuple[Phrase, ...]
+    text: tuple[PageBlock, ...]
     givens: tuple[Phrase, ...]
-    finds: tuple[Phrase, ...]
+    parts: tuple[AskedPart, ...]
     positive: tuple[Phrase, ...]
 
 
-def statement(worked: Worked) -> Statement:
-    """What a problem says."""
+def statement(worked: Worked, marked: Problem | None = None) -> Statement:
+    """What a problem says; `marked` is it with the points of its sheet."""
     problem = worked.problem
     givens = {given.name: given for given in problem.givens}
     letters = frozenset(filter(is_letter, (*givens, *(find.group for find in problem.finds))))
-    named = {slot.name for slot in slots(problem.text)}
+    said = filler(givens, letters)
+    texts = (problem.text, *(wording.text for wording in problem.ask))
+    told = {slot.name for text in texts for slot in slots(text)}
     others = [
         given
         for given in problem.givens
-        if not given.asked and given.name not in named and (not given.automatic or given.name in worked.told)
+        if not given.asked and given.name not in told and (not given.automatic or given.name in worked.told)
     ]
     return Statement(
         problem.title,
-        tuple(filled_text(paragraph, givens, letters) for paragraph in paragraphs(problem.text)),
+        tuple(map(by_author, statement_blocks(problem.text, said, os.path.dirname(problem.file)))),
         tuple((given_equation(given),) for given in others),
-        tuple(asked_phrases(problem.finds)),
+        tuple(parts_in_words(problem, marked or problem, said)),
         tuple((answer.symbol, f": {answer.positive}") for answer in worked.answers if answer.positive),
     )
-
-
-def paragraphs(text: str) -> list[str]:
-    """The paragraphs of a text: blank lines stand between them where there are any, else each line is one, as YAML folds them."""
-    pieces = re.split(r"\n\s*\n", text) if re.search(r"\n\s*\n", text) else text.split("\n")
-    return [" ".join(piece.split()) for piece in pieces if piece.strip()]
 
 
 def is_letter(name: str) -> bool:
@@ -69,16 +74,18 @@ def is_letter(name: str) -> bool:
     return letter is not None and len(greek(letter.head)) == 1 and name not in ENGLISH
 
 
-def filled_text(text: str, givens: Mapping[str, Given], letters: Collection[str]) -> Phrase:
-    """A paragraph with its givens."""
-    said: list[str | Formula | Math | Styled] = []
-    for part in prose_and_slots(text):
-        if isinstance(part, str):
-            said += prose_with_letters(part, letters)
-        else:
-            value = given_value(givens[part.name]) if part.alone else None
-            said.append(given_equation(givens[part.name]) if value is None else Math((value,)))
-    return tuple(said)
+def filler(givens: Mapping[str, Given], letters: Collection[str]) -> Filler:
+    """What says a piece of a text: prose with its letters, a given with its value, a formula of TeX."""
+
+    def said(piece: str | Slot | Tex) -> Phrase:
+        if isinstance(piece, str):
+            return tuple(prose_with_letters(piece, letters))
+        if isinstance(piece, Tex):
+            return tex_phrase(piece.tex)
+        value = given_value(givens[piece.name]) if piece.alone else None
+        return (given_equation(givens[piece.name]) if value is None else Math((value,)),)
+
+    return said
 
 
 def prose_with_letters(prose: str, letters: Collection[str]) -> Iterator[str | Symbol]:
@@ -91,39 +98,32 @@ def prose_with_letters(prose: str, letters: Collection[str]) -> Iterator[str | S
     yield prose[position:]
 
 
-def asked_phrases(finds: tuple[Find, ...]) -> Iterator[Phrase]:
-    """What is asked, by letters and in words: a (acceleration of block); of a choice its options."""
-    first: dict[str, Find] = {}
-    for find in finds:
-        first.setdefault(find.group, find)
-    for group, find in first.items():
-        said = choice_options(find) if find.choice is not None else phrase_in_words(find.text)
-        plain = not said or said.split()[0] == group  # a letter of the scene, which the text speaks of
-        yield (Symbol(group),) if plain else (Symbol(group), f" ({said})")
+def parts_in_words(problem: Problem, marked: Problem, said: Filler) -> Iterator[AskedPart]:
+    """What is asked, part by part: in the words of the author, else in words made of the scene."""
+    wordings = {wording.name: wording.text for wording in problem.ask}
+    parts = parts_of(marked)
+    made = asked_in_words(problem) if any(part.name not in wordings for part in parts) else {}
+    for part in parts:
+        if part.name in wordings:
+            yield AskedPart(part, by_author_alone(wording_phrase(wordings[part.name], said)), True)
+        else:
+            yield AskedPart(part, made[part.name], False)
 
 
-def choice_options(find: Find) -> str:
-    """The options of a choice: which is largest: a: speed of rod; b: speed of disc."""
-    assert find.choice is not None
-    said = []
-    for option in find.choice.options:
-        sides = [phrase_in_words(side.text) for side in option.sides]
-        signs = [f" {sign} " for sign in option.signs] + [""]
-        said.append(f"{option.label}: {''.join(side + sign for side, sign in zip(sides, signs, strict=True))}")
-    bound = f" {phrase_in_words(find.choice.bound.text)}" if find.choice.bound is not None else ""
-    test = f"which is {find.choice.test}{bound}: " if find.choice.test else "which holds: "
-    return test + "; ".join(said)
+def by_author(block: PageBlock) -> PageBlock:
+    """A block whose words are those of the author of the scene, and are the same in all languages."""
+    match block:
+        case Paragraph():
+            return Paragraph(by_author_alone(block.words))
+        case Bullets():
+            return replace(block, items=tuple(map(item_by_author, block.items)))
+    return block
 
 
-def phrase_in_words(phrase: str) -> str:
-    """A phrase of the language for people: `rod.end.speed at lowest` is the speed of rod end at lowest."""
-    return spoken(PATH.sub(lambda match: path_in_words(match[0]), phrase))
+def item_by_author(item: Bullet) -> Bullet:
+    return replace(item, words=by_author_alone(item.words), inner=tuple(map(item_by_author, item.inner)))
 
 
-def path_in_words(path: str) -> str:
-    """`rod.end.speed` as speed of rod end, `pivot.force.x` as x component of force of pivot."""
-    words = [re.sub(r"at\((.*)\)", r"at \1", word) for word in re.findall(r"at\([^)]*\)|\w+", path)]
-    place = max((index for index, word in enumerate(words) if word in QUANTITIES), default=len(words) - 1)
-    owner, quantity, part = " ".join(words[:place]), words[place], " ".join(words[place + 1 :])
-    told = f"{part} component of {quantity}" if part in AXES else f"{part} {quantity}".strip()
-    return f"{told} of {owner}" if owner else told
+def by_author_alone(words: Phrase) -> Phrase:
+    """Words of the author of a problem, with its letters."""
+    return tuple(authored(part) if isinstance(part, str) else part for part in words)

@@ -226,6 +226,14 @@ class Published(Struct, frozen=True):
     at: TimeValue | None = None
 
 
+class Wording(Struct, frozen=True):
+    """How a sheet asks for the answer of one name: the text as the scene writes it."""
+
+    name: str
+    text: str
+    span: Span | None = None
+
+
 class Varied(Struct, frozen=True):
     """A given with the values that it may take, each as a scene writes it: `1.5 kg`."""
 
@@ -273,8 +281,10 @@ class Problem(Struct, frozen=True):
     assume: tuple[str, ...] = ()
     finds: tuple[Find, ...] = ()
     answers: tuple[Published, ...] = ()
+    ask: tuple[Wording, ...] = ()
     marking: tuple[Marking, ...] = ()
     vary: Variation | None = None
+    settings: tuple[tuple[str, str], ...] = ()  # values that were said in place of those of the lines
 
     @property
     def values(self) -> dict[str, Formula]:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.language.problem import Problem
 
 NAME, LABEL, STRONG, FAULT, CODE = "name", "label", "strong", "fault", "code"  # styles of words
+BOLD, ITALIC, BOTH = "bold", "italic", "bold italic"  # styles of words of an author
 AUTHORED = "authored"  # the style of words that are those of a scene's author: plain, and the same in all languages
 GOOD, BAD, OPEN = "good", "bad", "open"  # what is thought of a text
 LONGEST = 500  # characters of a student's text that are shown
@@ -108,17 +109,30 @@ class Paragraph(PageBlock, frozen=True):
 
 
 class Bullet(Struct, frozen=True):
-    """One item of a list, with items of its own, and lines of which every letter keeps its place."""
+    """One item of a list, with items of its own, numbered from `start` on where there is one, and lines of which every letter keeps
+    its place."""
 
     words: Phrase
     inner: tuple[Bullet, ...] = ()
     code: tuple[str, ...] = ()
+    start: int | None = None
+
+    @property
+    def list(self) -> Bullets:
+        """Its own items."""
+        return Bullets(self.inner, self.start)
 
 
 class Bullets(PageBlock, frozen=True):
-    """A list."""
+    """A list; the number of its first item where it is numbered."""
 
     items: tuple[Bullet, ...]
+    start: int | None = None
+
+    @property
+    def marks(self) -> list[str]:
+        """What stands before each item where it is numbered: 1., 2., …; '' where it is not."""
+        return ["" if self.start is None else f"{self.start + place}." for place in range(len(self.items))]
 
 
 class Table(PageBlock, frozen=True):
@@ -259,7 +273,7 @@ class Formulas(PageBlock, frozen=True):
 class AnswerRow(Struct, frozen=True):
     """An answer: its letter, its exact form and its number, which way it points, and notes in brackets; its components follow.
 
-    Of a `matrix` the components are its entries, where it is too wide for a page.
+    Of a `matrix` the components are its entries, where it is too wide for a page. On a key the `label` of its part stands before it, (a).
     """
 
     symbol: Formula
@@ -268,6 +282,12 @@ class AnswerRow(Struct, frozen=True):
     notes: tuple[Phrase, ...] = ()
     components: tuple[AnswerRow, ...] = ()
     matrix: bool = False
+    label: str = ""
+
+    @property
+    def head(self) -> str:
+        """What stands before it."""
+        return f"({self.label}) " if self.label else ""
 
     @property
     def behind(self) -> Phrase:
@@ -280,7 +300,7 @@ class AnswerRow(Struct, frozen=True):
         """The answer as an item of a list, its components as items of it."""
         sides = [part for form in self.forms for part in ("=", form)]
         inner = () if self.matrix else tuple(part.bullet for part in self.components)
-        return Bullet((Math((self.symbol, *sides)), *self.behind), inner)
+        return Bullet((self.head, Math((self.symbol, *sides)), *self.behind), inner)
 
 
 class Answers(PageBlock, frozen=True):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -32,6 +32,7 @@ class Format(Struct, frozen=True):
     module: str
     use: str = PAGES
     language: str = ENGLISH
+    paper: str = ""  # that of sheets: a4 or letter
     binary: bool = False  # whether its files hold what Typst makes of the document, and no text
 
     @property
@@ -39,6 +40,7 @@ class Format(Struct, frozen=True):
         """What prints it; imported when it is asked for."""
         printer: Printer = import_module(self.module).PRINTER
         language = language_named(self.language)
+        printer = printer.on_paper(self.paper) if self.paper else printer
         return printer if language is None else printer.in_language(language)
 
     def spoken(self, page: Page) -> Page:
@@ -58,13 +60,13 @@ class Format(Struct, frozen=True):
         """A complete document of one or several pages, as text."""
         return self.printer.document(bodies)
 
-    def file(self, bodies: Sequence[str]) -> str | bytes:
-        """What a file of it holds."""
+    def file(self, bodies: Sequence[str], images: Mapping[str, bytes] | None = None) -> str | bytes:
+        """What a file of it holds, one of bytes with the images to which its pages refer."""
         if not self.binary:
             return self.document(bodies)
         from rotsolve.page.press import printed_document
 
-        return printed_document(self.document(bodies))
+        return printed_document(self.document(bodies), images=images or {})
 
 
 FORMATS = {

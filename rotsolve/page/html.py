@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
-from urllib.parse import quote
 
 from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
-from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullets
-from rotsolve.page.html_rows import HtmlRows, table_of, whole_page
+from rotsolve.page.blocks import BOLD, BOTH, CODE, FAULT, ITALIC, LABEL, NAME, STRONG, Bullets
+from rotsolve.page.html_rows import HtmlRows, whole_page
 from rotsolve.page.pictures import picture_in_svg
 from rotsolve.page.printer import Lines, Printer
+from rotsolve.page.sheet_html import HtmlSheets
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -25,13 +25,16 @@ class Html(Printer):
 
     decimals = r"\.(?=\d+</mn>)"  # of numbers alone: widths of blanks have a point in all languages
     blank = '<mspace width="0.22em"></mspace>'
-    relations: ClassVar = {sign: f"<mo>{sign.translate(SPECIAL)}</mo>" for sign in "=≤≥<>≈≠"}
+    relations: ClassVar = {sign: f"<mo>{sign.translate(SPECIAL)}</mo>" for sign in "=≤≥<>≈≠→≪≫±"}
     styles: ClassVar = {
         NAME: "<b>{}</b>",
         LABEL: '<span class="label">{}</span>',
         STRONG: "<b>{}</b>",
         FAULT: '<span class="fault">{}</span>',
         CODE: "<code>{}</code>",
+        BOLD: "<b>{}</b>",
+        ITALIC: "<i>{}</i>",
+        BOTH: "<b><i>{}</i></b>",
     }
 
     def prose(self, text: str) -> str:
@@ -58,12 +61,17 @@ class Html(Printer):
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
         rows = HtmlRows(self)
-        return super().own() | {
-            blocks.Picture: picture_in_svg,
-            blocks.Formulas: rows.formulas,
-            blocks.Answers: rows.answers,
-            blocks.AssessedTexts: rows.assessed,
-        }
+        return (
+            super().own()
+            | HtmlSheets(self).own()
+            | {
+                blocks.Table: rows.table,
+                blocks.Picture: picture_in_svg,
+                blocks.Formulas: rows.formulas,
+                blocks.Answers: rows.answers,
+                blocks.AssessedTexts: rows.assessed,
+            }
+        )
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         yield f"<h{block.level}>{self.words(block.words)}</h{block.level}>"
@@ -72,21 +80,13 @@ class Html(Printer):
         yield f"<p>{self.words(block.words)}</p>"
 
     def bullets(self, block: Bullets) -> Iterator[str]:
-        yield "<ul>"
+        tag = "ul" if block.start is None else "ol"
+        yield f'<ol start="{block.start}">' if tag == "ol" else "<ul>"
         for item in block.items:
             code = f"<pre>{self.prose(chr(10).join(item.code))}</pre>" if item.code else ""
-            inner = "\n".join(("", *self.bullets(Bullets(item.inner)))) if item.inner else ""
+            inner = "\n".join(("", *self.bullets(item.list))) if item.inner else ""
             yield f"<li>{self.words(item.words)}{code}{inner}</li>"
-        yield "</ul>"
-
-    def table(self, block: blocks.Table) -> Iterator[str]:
-        """A table; the first cells are links where they lead to files."""
-        rows = ["".join(f"<th>{self.prose(column)}</th>" for column in block.columns)]
-        for row, target in zip(block.rows, block.targets or ("",) * len(block.rows), strict=True):
-            first, *others = map(self.words, row)
-            link = f'<a href="{quote(target)}">{first}</a>' if target else first
-            rows.append("".join(f"<td>{cell}</td>" for cell in (link, *others)))
-        yield from table_of(rows)
+        yield f"</{tag}>"
 
     def body(self, page: blocks.Page, width: int) -> str:
         """The page as an article, which is printed on a sheet of its own."""
@@ -94,7 +94,7 @@ class Html(Printer):
 
     def document(self, bodies: Sequence[str]) -> str:
         """A page of several articles; it has the title of the first."""
-        return whole_page(bodies, self.code)
+        return whole_page(bodies, self.code, self.paper)
 
 
 PRINTER = Html()

@@ -4,8 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from urllib.parse import quote
 
-from rotsolve.page.blocks import CODE, AnswerRow, Answers, AssessedText, AssessedTexts, FormulaRow, Formulas, unindented
+from rotsolve.page.blocks import (
+    CODE,
+    AnswerRow,
+    Answers,
+    AssessedText,
+    AssessedTexts,
+    FormulaRow,
+    Formulas,
+    Table,
+    unindented,
+)
 from rotsolve.page.mathml_lines import math_pieces
 from rotsolve.page.printer import Printer
 
@@ -101,7 +112,7 @@ class HtmlRows:
 
     def _answer_rows(self, row: AnswerRow) -> Iterator[str]:
         """An answer and its components; of a matrix the numbers stand below the exact entries."""
-        symbol = self.math(self.printer.formula(row.symbol))
+        symbol = f"{row.head}{self.math(self.printer.formula(row.symbol))}"
         said = cell(self.words(row.behind).removeprefix(", ").strip(), "said")
         sides = [cell(math_pieces(f"{self.printer.part('=')}{self.printer.part(form)}"), "right") for form in row.forms]
         if row.matrix:
@@ -112,6 +123,15 @@ class HtmlRows:
         yield f"{cell(symbol, 'left')}{''.join([*sides, *[cell('', 'right')] * 2][:2])}{said}"
         for component in row.components:
             yield from self._answer_rows(component)
+
+    def table(self, block: Table) -> Iterator[str]:
+        """A table; the first cells are links where they lead to files."""
+        rows = ["".join(f"<th>{self.printer.prose(column)}</th>" for column in block.columns)]
+        for row, target in zip(block.rows, block.targets or ("",) * len(block.rows), strict=True):
+            first, *others = map(self.words, row)
+            link = f'<a href="{quote(target)}">{first}</a>' if target else first
+            rows.append("".join(f"<td>{cell}</td>" for cell in (link, *others)))
+        yield from table_of(rows)
 
     def assessed(self, block: AssessedTexts) -> Iterator[str]:
         """A text with what is thought of it, and below it what is said of it."""
@@ -141,11 +161,24 @@ def table_of(rows: Iterable[str]) -> Iterator[str]:
         yield from ('<div class="wide"><table>', *found, "</table></div>")
 
 
-def whole_page(bodies: Sequence[str], language: str) -> str:
-    """A page of several articles, with its style sheet, and the title of the first."""
+def whole_page(bodies: Sequence[str], language: str, paper: str = "") -> str:
+    """A page of several articles, with its style sheet, and the title of the first; for a paper with the number on each page."""
     found = HEADING.search(bodies[0]) if bodies else None
     assessed = any("<th>" in body or "<code>" in body for body in bodies)
     style = f"{STYLE}{ASSESSED_STYLE if assessed else ''}"
     style += PICTURE_STYLE if any("<figure>" in body for body in bodies) else ""
+    if paper:
+        from rotsolve.page.sheet_html import paper_style
+
+        style += paper_style(paper, len(bodies))
     title = found[1] if found else "rotsolve"
     return f"{HEAD.format(language)}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"
+
+
+def notebook_piece(body: str) -> str:
+    """A body within a page of others, as a notebook is one: its style sheet holds for it alone."""
+    rules = [
+        line for line in f"{STYLE}{ASSESSED_STYLE}{PICTURE_STYLE}".splitlines() if "{ " in line and line[0] not in " @"
+    ]
+    own = [rule.replace("body {", "& {") for rule in rules]
+    return f'<div class="rotsolve"><style>\n.rotsolve {{\n{chr(10).join(own)}\n}}\n</style>\n{body}</div>\n'

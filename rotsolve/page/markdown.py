@@ -3,10 +3,27 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import ClassVar
 
-from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullet, Bullets, Paragraph, Table, Title
+from rotsolve.page import blocks
+from rotsolve.page.blocks import (
+    BOLD,
+    BOTH,
+    CODE,
+    FAULT,
+    ITALIC,
+    LABEL,
+    NAME,
+    STRONG,
+    Bullet,
+    Bullets,
+    Paragraph,
+    Table,
+    Title,
+)
+from rotsolve.page.printer import Lines
+from rotsolve.page.statement_blocks import Image
 from rotsolve.page.tex import TexPrinter
 
 SPECIAL = re.compile(r"([\\`*_\[\]<>$|#~])")
@@ -17,6 +34,7 @@ class Markdown(TexPrinter):
 
     between = "\n\n"
     styles: ClassVar = {NAME: "**{}**", LABEL: "**{}:** ", STRONG: "**{}**", FAULT: "**{}**"}
+    styles |= {BOLD: "**{}**", ITALIC: "*{}*", BOTH: "***{}***"}
 
     def prose(self, text: str) -> str:
         return SPECIAL.sub(r"\\\1", text)
@@ -31,17 +49,23 @@ class Markdown(TexPrinter):
         yield self.words(block.words)
 
     def bullets(self, block: Bullets) -> Iterator[str]:
-        for item in block.items:
-            yield from self._bullet(item, "")
+        for item, mark in zip(block.items, block.marks, strict=True):
+            yield from self._bullet(item, "", mark or "-")
 
-    def _bullet(self, item: Bullet, inset: str) -> Iterator[str]:
-        yield f"{inset}- {self.words(item.words)}"
-        for inner in item.inner:
-            yield from self._bullet(inner, inset + "  ")
+    def _bullet(self, item: Bullet, inset: str, mark: str) -> Iterator[str]:
+        yield f"{inset}{mark} {self.words(item.words)}"
+        for inner, own in zip(item.inner, item.list.marks, strict=True):
+            yield from self._bullet(inner, inset + " " * (len(mark) + 1), own or "-")
         if item.code:
             fence = "`" * max(3, longest_run(item.code[0]) + 1)
             yield ""
             yield from (f"{inset}  {line}" for line in (f"{fence}text", *item.code, fence))
+
+    def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
+        return super().own() | {Image: self.image}
+
+    def image(self, block: Image) -> Iterator[str]:
+        yield f"![{self.prose(block.alt)}]({block.name})"
 
     def table(self, block: Table) -> Iterator[str]:
         """A table; the first cells are links where they lead to files."""

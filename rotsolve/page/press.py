@@ -5,9 +5,15 @@ No font of the machine is used and no date is written, so that a document prints
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib.util import find_spec
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from rotsolve.algebra.notation.typst import typst_string
+from rotsolve.core.faults import MissingPackage
 from rotsolve.page.typst_document import picture_page
 
 if TYPE_CHECKING:
@@ -15,6 +21,7 @@ if TYPE_CHECKING:
 
 PACKAGE = "typst"
 MISSING = "a {} is made by the package typst, which is not installed: pip install 'rotsolve[pdf]'"
+NO_IMAGES: Mapping[str, bytes] = MappingProxyType({})
 RESOLUTION = 192  # dots per inch of a PNG, twice those of a common screen
 
 
@@ -23,13 +30,18 @@ def lacks_press() -> bool:
     return find_spec(PACKAGE) is None
 
 
-def printed_document(source: str, kind: str = "pdf") -> bytes:
-    """A Typst document as PDF, or its only page as PNG."""
+def printed_document(source: str, kind: str = "pdf", images: Mapping[str, bytes] = NO_IMAGES) -> bytes:
+    """A Typst document as PDF, or its only page as PNG, with the images to which it refers by their names."""
     try:
         import typst
     except ModuleNotFoundError:
-        raise ModuleNotFoundError(MISSING.format(kind.upper()), name=PACKAGE) from None
-    made = typst.compile(source.encode(), format=kind, ppi=RESOLUTION, ignore_system_fonts=True)
+        raise MissingPackage(MISSING.format(kind.upper())) from None
+    with TemporaryDirectory() as folder:  # within which alone Typst reads files
+        for name, content in images.items():
+            Path(folder, name).write_bytes(content)
+        main = Path(folder, "main.typ")
+        main.write_text(source, encoding="utf-8")
+        made = typst.compile(str(main), root=folder, format=kind, ppi=RESOLUTION, ignore_system_fonts=True)
     assert isinstance(made, bytes), "a PNG has one page"
     return made
 
@@ -40,3 +52,9 @@ def printed_picture(figure: Figure, kind: str) -> bytes:
 
     left, low, right, high = figure.box()
     return printed_document(picture_page(plain_svg(figure), right - left, high - low, figure.title), kind)
+
+
+def printed_image(name: str, content: bytes) -> bytes:
+    """An image on a page of its own size, as PDF."""
+    page = f"#set page(width: auto, height: auto, margin: 0pt)\n#image({typst_string(name)})\n"
+    return printed_document(page, images={name: content})

@@ -49,6 +49,7 @@ class Printer:
     comma = ","  # the same where it is a comma
     code = ENGLISH  # the language of its pages
     babel = ""  # the same for LaTeX, where it is not English
+    paper = ""  # that of a sheet, on which every page has its number and theirs: a4 or letter
     decimals = DECIMALS  # where a number has that sign
     relations: ClassVar[Mapping[str, str]] = {}  # signs that the format writes otherwise
     styles: ClassVar[Mapping[str, str]] = {LABEL: "{}: "}  # of words that stand out, with {} for them
@@ -60,6 +61,14 @@ class Printer:
         found = copy(self)
         found.code, found.babel = language.code, language.babel
         found.decimal = self.comma if language.decimal == "," else language.decimal
+        return found
+
+    def on_paper(self, paper: str) -> Printer:
+        """The same format for sheets on a paper."""
+        from copy import copy
+
+        found = copy(self)
+        found.paper = paper
         return found
 
     def numerals(self, text: str) -> str:

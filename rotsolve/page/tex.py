@@ -124,7 +124,11 @@ class TexPrinter(Printer):
 
     blank = r"\,"
     comma = "{,}"  # a bare one has a blank behind it
-    relations: ClassVar = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne", "→": r"\;\to\;"}
+    relations: ClassVar = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne", "→": r"\;\to\;"} | {
+        "≪": r"\ll",
+        "≫": r"\gg",
+        "±": r"\pm",
+    }
 
     def formula(self, formula: Formula) -> str:
         return self.numerals(to_latex(formula))

@@ -76,16 +76,16 @@ class TextRows:
         yield from paragraph_lines(self.words(block.words), indent, width)
 
     def bullets(self, block: blocks.Bullets, indent: int, width: int) -> Iterator[TextLine]:
-        """A list, its items marked by dashes."""
-        for item in block.items:
-            yield from self._bullet(item, indent, width)
+        """A list, its items marked by dashes or numbers."""
+        for item, mark in zip(block.items, block.marks, strict=True):
+            yield from self._bullet(item, indent, width, mark or "-")
 
-    def _bullet(self, item: blocks.Bullet, indent: int, width: int) -> Iterator[TextLine]:
-        for number, line in enumerate(paragraph_lines(self.words(item.words), 0, width - indent - 2)):
-            yield TextLine(f"{' ' * indent}{' ' if number else '-'} {line.text}")
-        for inner in item.inner:
-            yield from self._bullet(inner, indent + 2, width)
-        yield from (TextLine(" " * (indent + 2) + line) for line in item.code)
+    def _bullet(self, item: blocks.Bullet, indent: int, width: int, mark: str) -> Iterator[TextLine]:
+        inset = len(mark) + 1
+        for number, line in enumerate(paragraph_lines(self.words(item.words), 0, width - indent - inset)):
+            yield TextLine(f"{' ' * indent}{' ' * len(mark) if number else mark} {line.text}")
+        yield from self.bullets(item.list, indent + inset, width)
+        yield from (TextLine(" " * (indent + inset) + line) for line in item.code)
 
     def labels(self, block: blocks.Labels, indent: int, width: int) -> Iterator[TextLine]:
         """Labels in a column of their own; what may stand beside the row above does so where both fit."""
@@ -194,7 +194,7 @@ class TextRows:
         if row.matrix:
             yield from self._matrix_rows(row)
             return
-        symbol, behind = hold(self.formula(row.symbol)), self.words(row.behind)
+        symbol, behind = hold(f"{row.head}{self.formula(row.symbol)}"), self.words(row.behind)
         first, *more = [hold(self.part(form)) for form in row.forms] or [""]
         if more:
             yield ColumnRow(f"{inset}{symbol} = {first}", f"= {more[0]}{behind}")
@@ -211,7 +211,7 @@ class TextRows:
         formulas, numbers = self._box(matrices, amounts=False), self._box(matrices, amounts=True)
         fits = bool(formulas) and len(formulas[0]) <= WIDEST
         boxes = [box for box in (formulas if fits else [], numbers) if box]
-        symbol, unit = self.formula(row.symbol), next((box.unit for box in matrices[-1:]), None)
+        symbol, unit = f"{row.head}{self.formula(row.symbol)}", next((box.unit for box in matrices[-1:]), None)
         for place, lines in enumerate(zip(*boxes, strict=True)):
             middle = place == len(boxes[0]) // 2
             head = f"{symbol} = " if middle else " " * (len(symbol) + 3)

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.notation.typst import number_to_typst, to_typst, typst_string, unit_in_typst
 from rotsolve.page import blocks
-from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullets
+from rotsolve.page.blocks import BOLD, BOTH, CODE, FAULT, ITALIC, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.pictures import picture_in_typst
 from rotsolve.page.printer import Lines, Printer
+from rotsolve.page.sheet_typst import TypstSheets
 from rotsolve.page.typst_document import whole_document
 from rotsolve.page.typst_rows import TypstRows, typst_code, typst_prose
 
@@ -24,10 +25,11 @@ class Typst(Printer):
     blank = " thin "
     comma = '","'  # a bare one has a blank behind it, and divides arguments
     styles: ClassVar = {  # the semicolon ends the command, whatever stands behind it
-        NAME: "#emph[{}];",
+        **dict.fromkeys((NAME, ITALIC), "#emph[{}];"),
         LABEL: "#strong[{}];#h(0.8em)",
-        STRONG: "#strong[{}];",
+        **dict.fromkeys((STRONG, BOLD), "#strong[{}];"),
         FAULT: "#fault[{}];",
+        BOTH: "#strong[#emph[{}];];",
     }
 
     def prose(self, text: str) -> str:
@@ -53,13 +55,17 @@ class Typst(Printer):
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
         rows = TypstRows(self)
-        return super().own() | {
-            blocks.Picture: picture_in_typst,
-            blocks.Labels: rows.labels,
-            blocks.Formulas: rows.formulas,
-            blocks.Answers: rows.answers,
-            blocks.AssessedTexts: rows.assessed,
-        }
+        return (
+            super().own()
+            | TypstSheets(self).own()
+            | {
+                blocks.Picture: picture_in_typst,
+                blocks.Labels: rows.labels,
+                blocks.Formulas: rows.formulas,
+                blocks.Answers: rows.answers,
+                blocks.AssessedTexts: rows.assessed,
+            }
+        )
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         yield from (f"{'=' * block.level} {self.words(block.words)}", "")
@@ -68,10 +74,10 @@ class Typst(Printer):
         yield from (self.words(block.words), "")
 
     def bullets(self, block: Bullets, inset: str = "") -> Iterator[str]:
-        for item in block.items:
+        for item, mark in zip(block.items, block.marks, strict=True):
             code = f" #block(raw({typst_string(chr(10).join(item.code))}))" if item.code else ""
-            yield f"{inset}- {self.words(item.words)}{code}"
-            yield from self.bullets(Bullets(item.inner), f"{inset}  ")
+            yield f"{inset}{mark or '-'} {self.words(item.words)}{code}"
+            yield from self.bullets(item.list, f"{inset}{' ' * (len(mark or '-') + 1)}")
         yield from () if inset else ("",)
 
     def table(self, block: blocks.Table) -> Iterator[str]:
@@ -88,7 +94,7 @@ class Typst(Printer):
 
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own; the document has the title of the first."""
-        return whole_document(bodies, self.code)
+        return whole_document(bodies, self.code, self.paper)
 
 
 PRINTER = Typst()

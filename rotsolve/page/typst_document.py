@@ -162,9 +162,13 @@ def picture_page(source: str, wide: float, tall: float, title: str) -> str:
     )
 
 
-def whole_document(bodies: Sequence[str], language: str) -> str:
+def whole_document(bodies: Sequence[str], language: str, paper: str = "") -> str:
     """A document of pages, each on a sheet of its own, with the title of the first; without a date, so that the same prints the same."""
     found = HEADING.search(bodies[0]) if bodies else None
     title = f"title: [{found[1]}], " if found else ""
     layout = LAYOUT.replace('lang: "en"', f'lang: "{language}"')
+    if paper:
+        from rotsolve.page.sheet_typst import counted_sheet_in_typst, on_typst_paper
+
+        layout, bodies = on_typst_paper(layout, paper), [*map(counted_sheet_in_typst, bodies)]
     return f"#set document({title}date: none)\n{layout}" + "\n#pagebreak()\n\n".join(bodies)

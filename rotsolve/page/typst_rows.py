@@ -81,7 +81,8 @@ class TypstRows:
         """An answer and its components, a line each."""
         sides = "".join(f", $= {self.printer.part(form)}$" for form in row.forms)
         behind = self.words(row.behind)
-        yield f"  line-of([], ${self.printer.formula(row.symbol)}${sides}{f', behind: [{behind}]' if behind else ''}),"
+        head = row.head.strip()
+        yield f"  line-of([{head}], ${self.printer.formula(row.symbol)}${sides}{f', behind: [{behind}]' if behind else ''}),"
         for component in () if row.matrix else row.components:
             yield from self._answer_lines(component)
 

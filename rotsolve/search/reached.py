@@ -63,6 +63,28 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
             yield never_reached(interval, configuration, why or turned, sure=bool(why))
 
 
+def instead_of_there(state: str, search: Search) -> str:
+    """Where a motion goes with a steady acceleration that does not come to a state, of which nothing but one value is told; '' where that
+    is not known."""
+    timeline = search.scene.configuration.timeline
+    ways = (one for one in timeline.intervals if one.event is None and not timeline.state(one.start).opened)
+    interval = next((one for one in ways if one.end == state), None)
+    told = [line for line in timeline.state(state).conditions if line.value is not None]
+    passage = search.scene.passages.get(interval.name) if interval is not None and len(told) == 1 else None
+    aside = search.apart(careful=True)
+    for travel in passage.travels if passage is not None else ():
+        found = [aside.settled(travel.acceleration), aside.settled(travel.before)]
+        push, start = (None if value is None else search.numbers.side(value) for value in found)
+        if travel.pace != CONSTANT or push is None or start is None:
+            continue
+        if push == start == 0:
+            return f"{spoken(travel.body)} stays where it is"
+        if push * start < 0:
+            return f"{spoken(travel.body)} comes to rest before, and turns back"
+        return f"{spoken(travel.body)} goes the other way, and nothing brings it back"
+    return ""
+
+
 def led_away_from(intervals: Iterable[Interval], search: Search) -> Iterator[NeverReached]:
     """The states that tell a rate to which a steady acceleration does not lead, Δv/a < 0, of phases whose time nothing else tells."""
     configuration, aside = search.scene.configuration, search.apart(careful=True)

@@ -9,7 +9,10 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.draw.paper.figure import Figure
 from rotsolve.draw.pictures import free_body_pictures, scene_picture
 from rotsolve.language.problem import Problem
+from rotsolve.pipeline import solve_problem
 from rotsolve.scene.read import read_file
+from rotsolve.search.acting import ActingWays
+from rotsolve.solution import Solution
 
 FOLDER = Path(__file__).resolve().parents[2] / "problems"
 FILES = sorted(FOLDER.glob("*/*.yaml"))
@@ -32,14 +35,29 @@ def scene(name: str) -> Figure:
 
 
 @cache
-def diagrams(name: str) -> tuple[tuple[str, Figure], ...]:
-    """The free-body diagrams of a scene; none where nothing acts on anything."""
+def solution(name: str) -> Solution | None:
+    """A solved problem; None where it has no answer."""
     try:
-        return tuple(free_body_pictures(problem(name)))
+        return solve_problem(problem(name), confirm=False)
+    except Unsolvable:
+        return None
+
+
+def ways(name: str) -> ActingWays | None:
+    """What tells which way forces act in a problem."""
+    solved = solution(name)
+    return None if solved is None else solved.trace.acting()
+
+
+@cache
+def diagrams(name: str) -> tuple[tuple[str, str, Figure], ...]:
+    """The free-body diagrams of a scene, with their states and bodies; none where nothing acts on anything."""
+    try:
+        return tuple(free_body_pictures(problem(name), "", ways(name)))
     except Unsolvable:
         return ()
 
 
 def pictures(name: str) -> list[Figure]:
     """All of them."""
-    return [scene(name), *(figure for _, figure in diagrams(name) if not problem(name).space)]
+    return [scene(name), *(figure for _, _, figure in diagrams(name))]

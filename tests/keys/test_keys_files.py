@@ -80,7 +80,9 @@ def test_every_sheet_and_key_has_the_number_of_its_variant(key: Key, page: Path)
     out = page / "out"
     for number in (1, 2, 3):
         assert f"<h1>Problems, variant {number} (seed 1)</h1>" in (out / f"sheet-{number}.html").read_text("utf-8")
-        assert f"rope, variant {number} (seed 1)</h1>" in (out / f"solutions-{number}.html").read_text("utf-8")
+        assert f"rope [3 points], variant {number} (seed 1)</h1>" in (out / f"solutions-{number}.html").read_text(
+            "utf-8"
+        )
     assert re.findall(r"<h2>Variant (\d)</h2>", (out / "key.html").read_text("utf-8")) == ["1", "2", "3"]
     assert [sheet["variant"] for sheet in json.loads((out / "key.json").read_text("utf-8"))["sheets"]] == [1, 2, 3]
     rows = rows_of(out / "key.csv")
@@ -128,7 +130,7 @@ def test_an_interrupted_run_leaves_whole_files_only(key: Key, page: Path, monkey
 def test_a_bad_problem_loses_no_other(key: Key, page: Path) -> None:
     code, said = key("open.yaml", "broken.yaml", "fall.yaml", "-o", "out", "-f", "csv")
     assert code == 2
-    assert "broken.yaml:2:1" in said and "open.yaml" in said
+    assert "broken.yaml:1:8" in said and "open.yaml" in said
     assert said.endswith("2 of 3 files not solved: broken.yaml, open.yaml\n")
     rows = rows_of(page / "out" / "key.csv")
     assert {row["problem"] for row in rows} == {"fall"}

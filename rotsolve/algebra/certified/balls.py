@@ -222,9 +222,9 @@ class RealBalls:
         lower, upper = self(node.lower), self(node.upper)
         if node.integrand.holds("abs") and node.integrand != (signed := self.without_size(node, lower, upper)):
             return self(replace(node, integrand=signed)) if signed is not None else arb.nan()
-        from rotsolve.algebra.certified.complexballs import integrated
+        from rotsolve.algebra.certified.complexballs import certified_integral
 
-        return integrated(node, lower, upper, self)
+        return certified_integral(node, lower, upper, self)
 
     def without_size(self, node: Integral, lower: Ball, upper: Ball) -> Formula | None:
         """The integrand with ±x for |x|, at whose kink no rule for smooth ones gets past; None where the sign of x may change."""

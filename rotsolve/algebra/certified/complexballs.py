@@ -95,7 +95,7 @@ class ComplexBalls:
         return acb(arb.nan()) if self.analytic else acb(arb.atan2(z.real, parts[1].real))
 
 
-def integrated(node: Integral, lower: Ball, upper: Ball, outer: RealBalls) -> Ball:
+def certified_integral(node: Integral, lower: Ball, upper: Ball, outer: RealBalls) -> Ball:
     """The integral between two ends, certified; a rough one where an end is rough."""
     steady = Steady()
 

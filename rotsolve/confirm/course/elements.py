@@ -25,17 +25,16 @@ from rotsolve.confirm.course.reading import (
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
-from rotsolve.elements.actions import Band
-from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.asked import is_band, is_belt, is_gear, is_touch
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.elements import ActingElement
 from rotsolve.language.problem import Path, Term
 
 if TYPE_CHECKING:
     from rotsolve.confirm.course.node import Node
     from rotsolve.confirm.jet import Slope
+    from rotsolve.elements.actions import Band
 
 
 def element(at: Node, name: str) -> ActingElement:
@@ -73,7 +72,7 @@ def last_body(at: Node, name: str) -> str:
 def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Of the leg that leaves the body that is named, towards the next; one for all legs where they are the same."""
     item = element(at, path.owner)
-    if isinstance(item, Band):
+    if is_band(item):
         return other_end(at, item)
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("tension")]
     if not sizes:
@@ -132,7 +131,7 @@ def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
 def force(at: Node, path: Path, term: Term | None) -> Reckoned:
     """On the last-named body: its components, its size, or its parts across the arm and inwards; of belts and gears that at the rims."""
     at.told(path.owner)
-    if isinstance(element(at, path.owner), (Belt, Gear)):
+    if is_belt(element(at, path.owner)) or is_gear(element(at, path.owner)):
         sizes = [abs(size) for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("force")]
         if len(sizes) != 1:
             raise NotConfirmed(f"the force of `{path.owner}` is not the same throughout")
@@ -159,7 +158,7 @@ def torque(at: Node, path: Path, term: Term | None) -> Reckoned:
     body = last_body(at, path.owner)
     item = element(at, path.owner)
     named = [part for owner, kind, part in at.loads if owner == path.owner and kind.startswith("torque")]
-    parts = named if named and not isinstance(item, Touch) else loads(at, path.owner)
+    parts = named if named and not is_touch(item) else loads(at, path.owner)
     way, twist = on_body(at, body, parts)
     centre, middle = values(point_place(at, body, "cm")), at.reference(body, term)
     arm = (centre[0] - middle[0], centre[1] - middle[1])
@@ -186,7 +185,7 @@ def turning(at: Node, path: Path, term: Term | None) -> Reckoned:
     """Where on a curved surface a body touches it; how far a wire is twisted; how the last body turns against the first, else how the body
     turns that is held."""
     item = element(at, path.owner)
-    if isinstance(item, Touch) and path.quantity == "angle":
+    if is_touch(item) and path.quantity == "angle":
         return Reckoned({"": at.touching_angle(item)}, 1.0, period=2 * math.pi)
     if path.quantity == "angle" and (wound := wound_by(path.owner, at.model)):
         return number(twist(wound, at.pose, at.model).value, 1.0)

@@ -20,7 +20,7 @@ from rotsolve.confirm.jet import Jet, Slope
 from rotsolve.confirm.linear import solved
 from rotsolve.confirm.lines import placed_value
 from rotsolve.confirm.pose import Pose
-from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.asked import is_spring, is_torsion
 from rotsolve.language.problem import Condition, State
 
 NEWTON, EXACT, SAMPLES = 30, 1e-13, (0.35, 0.7, 1.0)
@@ -44,7 +44,7 @@ def by_energy(first: Node, state: State) -> Node | None:
         return None
     whole = rate_energy(first, first.placed.speed) + stored(first)
     q, before, done, looks = list(first.placed.q), first, 0.0, list[tuple[float, Node]]()
-    for part in parts_of(first, line, goal - start):
+    for part in parts_of_way(first, line, goal - start):
         found = placed_at(first, q, line, start + part * (goal - start))
         if found is None:
             return None
@@ -124,7 +124,7 @@ def tightest(looks: Sequence[tuple[float, Node]]) -> Iterator[tuple[tuple[str, s
                 yield key, low, high, nodes[parts[parts.index(low) + 1]]
 
 
-def parts_of(first: Node, line: Condition, gap: float) -> Sequence[float]:
+def parts_of_way(first: Node, line: Condition, gap: float) -> Sequence[float]:
     """Shares of the way at which it is looked how it goes: at eighths where something only pushes, of angles at each radian."""
     pushes = any(row.push for row in first.moment.rows.values())
     looks = max(LOOKS if pushes else 0, math.ceil(abs(gap)) if line.path and line.path.quantity == "angle" else 0)
@@ -179,7 +179,7 @@ def only_place(state: State) -> Condition | None:
 def conserves(first: Node) -> bool:
     """Whether only weights, springs and wires do work, and nothing is driven or slips."""
     now = first.moment
-    stores = {item.name for item in first.model.acting.connections if isinstance(item, (Spring, Torsion))}
+    stores = {item.name for item in first.model.acting.connections if is_spring(item) or is_torsion(item)}
     if any(not name.startswith("weight of ") and name not in stores for name in now.loads):
         return False
     if any(mode != STICKS for mode in now.modes.values()):

@@ -17,7 +17,7 @@ from rotsolve.confirm.instant import STICKS, NoWay, placed
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.numbers import value_of
 from rotsolve.core.symbols import TIME
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.asked import is_touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.elements import Event
 from rotsolve.language.problem import Problem, State
@@ -94,7 +94,7 @@ class Course:
     def standing(self) -> bool:
         """Whether something stands with corners, or lies with ends, on something; what sees to it is loaded only then."""
         whole = [part for body in self.problem.bodies for part in (body, *(part.body for part in body.parts))]
-        touches = any(isinstance(item, Touch) for item in self.problem.connections)
+        touches = any(is_touch(item) for item in self.problem.connections)
         if not touches or not any(shape_of(body).outline() for body in whole):
             return False
         from rotsolve.confirm.course.tipping import all_stands

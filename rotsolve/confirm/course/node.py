@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from rotsolve.confirm import NotConfirmed, OverBudget
 from rotsolve.confirm.bodies import is_round
@@ -14,10 +15,13 @@ from rotsolve.confirm.lines import bent, circle_of, left_from, on_curve, onward
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Pair, Pose, Way
 from rotsolve.confirm.sides import from_middle
-from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.asked import is_spring, is_torsion
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.language.problem import Term
+
+if TYPE_CHECKING:
+    from rotsolve.elements.connections.springs import Torsion
+    from rotsolve.elements.connections.touch import Touch
 
 Load = tuple[str, str, Slope]
 NUDGE = 1e-9  # m/s² of what is pushed by rounding alone, beside gravity
@@ -231,7 +235,7 @@ class Node:
         """How far a spring is stretched."""
         item = next((item for item in self.model.acting.connections if item.name == owner), None)
         rest = self.placed.offsets.get(owner)
-        if not isinstance(item, Spring) or rest is None:
+        if not is_spring(item) or rest is None:
             raise NotConfirmed(f"nothing tells how far `{owner}` is stretched")
         from rotsolve.confirm.forces import spring_length
 
@@ -243,9 +247,9 @@ class Node:
         for item in self.model.acting.connections:
             if owner not in ("", item.name):
                 continue
-            if isinstance(item, Spring) and item.stiffness is not None:
+            if is_spring(item) and item.stiffness is not None:
                 whole += 0.5 * self.model.value(item.stiffness) * self.stretched(item.name) ** 2
-            elif isinstance(item, Torsion) and item.stiffness is not None:
+            elif is_torsion(item) and item.stiffness is not None:
                 whole += 0.5 * self.model.value(item.stiffness) * self.twist(item) ** 2
         return whole
 

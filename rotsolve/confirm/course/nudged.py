@@ -6,14 +6,18 @@ Where and how fast it leaves hangs on that push by its square alone; when it doe
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from rotsolve.confirm.course.energy import rates_along
 from rotsolve.confirm.course.node import Node, unpushed
 from rotsolve.confirm.lines import placed_value
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.asked import is_touch
 from rotsolve.language.problem import Condition, Path, State
+
+if TYPE_CHECKING:
+    from rotsolve.elements.connections.touch import Touch
 
 LEAST = 1e-7  # metres per second
 
@@ -21,7 +25,7 @@ LEAST = 1e-7  # metres per second
 def barely_moving(first: Node, state: State) -> Node | None:
     """The same instant with the least speed; None where something drives it, or it is to go along no surface."""
     lines = {line.path.owner: line for line in state.conditions if line.path is not None}
-    touches = (item for item in first.model.acting.connections if item.name in lines and isinstance(item, Touch))
+    touches = (item for item in first.model.acting.connections if item.name in lines and is_touch(item))
     touch = next(touches, None)
     if touch is None or not unpushed(first):
         return None

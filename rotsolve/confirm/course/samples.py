@@ -15,8 +15,7 @@ from rotsolve.confirm.course.sizes import LIMITS, letters_open, sizes_of_letters
 from rotsolve.confirm.numbers import related, value_of
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.limits import Limit
-from rotsolve.elements.collisions import Collides
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.asked import is_collides, is_touch
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Given, Problem
 
@@ -127,7 +126,7 @@ def meeting_sets(problem: Problem, fits: Fits) -> Iterator[Numbers]:
 
     With these they may meet again: what is heavy goes on behind what is light, which weights or springs turn back, or that turns round.
     """
-    bounces = [event for event in problem.events if isinstance(event, Collides)]
+    bounces = [event for event in problem.events if is_collides(event)]
     if not bounces:
         return
     open_, usual = letters_open(problem), usual_sizes(problem, fits)
@@ -171,7 +170,7 @@ def extreme_sets(problem: Problem, admitted: Callable[[Numbers], bool], fits: Fi
 
 def has_base(problem: Problem) -> bool:
     """Whether a body with corners lies on something."""
-    lying = {item.lying() for item in problem.connections if isinstance(item, Touch)}
+    lying = {item.lying() for item in problem.connections if is_touch(item)}
     bodies = (body for body in problem.bodies if body.name in lying)
     return any(shape_of(one).outline() for body in bodies for one in (body, *(part.body for part in body.parts)))
 
@@ -228,9 +227,7 @@ def rough_enough(problem: Problem, answers: Sequence[Answer]) -> Iterator[Number
     """Numbers far beyond the limits with a coefficient of friction only just so large that all answers hold: of what is asked at a state
     it tells nothing that friction needs more on the way there."""
     drawn = sizes_of_letters(problem)
-    told = [
-        size for item in problem.connections if isinstance(item, Touch) and (size := item.grip().static) is not None
-    ]
+    told = [size for item in problem.connections if is_touch(item) and (size := item.grip().static) is not None]
     rough = {name for size in told for name in size.symbols()} & {given.name for given in drawn.letters}
     for name in sorted(rough) if any(several.conditions for several in answers) else ():
         for number in range(1, ROUGH_SETS + 1):

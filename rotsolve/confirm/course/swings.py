@@ -16,7 +16,7 @@ from rotsolve.confirm.course.reading import Reckoned, number
 from rotsolve.confirm.instant import Dynamics, Placed, gathered, moment, split
 from rotsolve.confirm.linear import solved
 from rotsolve.core.quantity import DAMPINGS
-from rotsolve.elements.connections.springs import Spring
+from rotsolve.elements.asked import is_spring
 from rotsolve.language.problem import MODE, Condition, State, Term
 
 STEP = 1e-4  # of the coordinate, on both sides of the equilibrium
@@ -61,7 +61,7 @@ class Neighbourhood:
     def __init__(self, first: Node) -> None:
         self.first, self.model = first, first.model
         self.offsets = dict(first.placed.offsets)
-        springs = [item for item in self.model.acting.connections if isinstance(item, Spring)]
+        springs = [item for item in self.model.acting.connections if is_spring(item)]
         for item in springs:
             if item.name not in self.offsets:
                 from rotsolve.confirm.forces import spring_length

@@ -14,7 +14,7 @@ from rotsolve.confirm.course.node import Astray, Node
 from rotsolve.confirm.model import Model
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import rests, surface_of
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.asked import is_touch
 
 if TYPE_CHECKING:
     from rotsolve.confirm.course.blows import Blow
@@ -44,7 +44,7 @@ class Push(Struct, frozen=True):
 
 def all_stands(model: Model) -> Iterator[Stand]:
     """What stands on something flat."""
-    touches = [item for item in model.acting.connections if isinstance(item, Touch)]
+    touches = [item for item in model.acting.connections if is_touch(item)]
     for item in touches:
         name, surface = item.lying(), surface_of(item, model)
         if surface is not None and not surface.curved and rests(item, model):

@@ -34,7 +34,7 @@ GROUND = InkRole("ground", 0.0, ink="", fill="ground", layer=0)
 HATCH = InkRole("hatch", 0.5, layer=0)
 BEHIND = InkRole("behind", 0.9, layer=2)  # a string where a body covers it
 BODY = InkRole("body", 1.1, fill="body", layer=3)
-HOLE = InkRole("hole", 0.9, fill="paper", layer=4)
+HOLE = InkRole("hole", 0.9, fill="paper", layer=3)  # just above its own body: what lies in it is drawn after it
 THICK = InkRole("thick", 3.4, layer=3)  # a rod
 GHOST = InkRole("ghost", 0.8, ink="faint", dash="4 2.5", layer=2)  # another state
 THIN = InkRole("thin", 0.6, layer=5)
@@ -45,10 +45,12 @@ AXIS = InkRole("axis", 0.6, ink="faint", dash="7 2 1.5 2", layer=1)
 DIMENSION = InkRole("dimension", 0.5, ink="faint", layer=6)
 SENSE = InkRole("sense", 1.1, ink="sense", layer=7)
 FORCE = InkRole("force", 1.5, ink="force", layer=8)
+UNSURE = InkRole("unsure", 1.3, ink="force", dash="3.5 2", layer=8)  # a force of which nothing tells which way it acts
 PIN = InkRole("pin", 0.9, fill="paper", layer=6)
 SPIN = InkRole("spin", 1.3, ink="spin", layer=8)  # of velocities and angular velocities that are given
 ROLES = (
-    SURFACE, GROUND, HATCH, BEHIND, BODY, HOLE, THICK, GHOST, THIN, STRING, SOLID, SUPPORT, AXIS, DIMENSION, PIN, SENSE, FORCE, SPIN,
+    SURFACE, GROUND, HATCH, BEHIND, BODY, HOLE, THICK, GHOST, THIN, STRING, SOLID, SUPPORT, AXIS, DIMENSION, PIN, SENSE, FORCE,
+    UNSURE, SPIN,
 )  # fmt: skip
 
 

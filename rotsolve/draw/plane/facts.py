@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.confirm import NotConfirmed
@@ -14,21 +15,26 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.derivation.letters import own_indices
-from rotsolve.draw.paper.figure import Point, shifted_by
+from rotsolve.draw.paper.figure import Point, shifted_by, unit_of
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.motion.instant import Instant
 from rotsolve.questions.find import question_for
 
+if TYPE_CHECKING:
+    from rotsolve.search.acting import ActingWays
+
 SOME = 0.35  # for what nothing tells, and no picture shows to scale
 
 
 class SceneFacts:
-    """The facts of a scene at the state of a stage."""
+    """The facts of a scene at the state of a stage; `ways` tells which way forces act, once the scene is solved."""
 
-    def __init__(self, stage: PlaneStage, scene: SceneEquations | None = None) -> None:
+    def __init__(self, stage: PlaneStage, scene: SceneEquations | None = None, ways: ActingWays | None = None) -> None:
         self.stage = stage
         self.scene = scene or SceneEquations(stage.configuration)
+        self.ways = ways
+        self._told: dict[tuple[Formula, str], int | None] = {}
 
     @cached_property
     def instant(self) -> Instant:
@@ -67,6 +73,16 @@ class SceneFacts:
                 continue
             if is_key(asked.letter) and asked.letter in used and not is_key(find.name):
                 yield asked.letter, find.name
+
+    def way_of(self, size: Formula, owner: str = "") -> int | None:
+        """Whether what is told by a size acts the way in which that is counted, +1, against it, −1, or not at all, 0, by the answers; where
+        they do not tell it by what the scene requires, as of strings, which only pull. None where nothing tells it."""
+        if (size, owner) not in self._told:
+            sign = self.stage.configuration.signs.sign(size) if self.ways is None else self.ways.sign(size, owner)
+            if sign is None and any(need.left == size and need.right == ZERO for need in self.facts.requirements):
+                sign = 1
+            self._told[size, owner] = sign
+        return self._told[size, owner]
 
     # numbers
 
@@ -115,10 +131,11 @@ class SceneFacts:
         """Where a force acts, on the stage: the arm is told as the body stands in the facts, which is as it stands here."""
         return shifted_by(self.reference(force.body), self.arrow(force.arm))
 
-    def acting(self, body: BodyFacts) -> Iterator[tuple[Force, Point, Point]]:
-        """The forces on a body with a size: each with where it acts and its unit vector."""
-        for force in body.forces:
-            if force.size != ZERO:
-                x, y = self.arrow(force.direction)
-                long = math.hypot(x, y) or 1.0
-                yield force, self.applied(force), (x / long, y / long)
+    def acting(self, body: BodyFacts) -> Iterator[tuple[int, Force, Point, Point, int | None]]:
+        """The forces on a body, as they act: each with its number, where it acts, its unit vector, and which way that is of its letter."""
+        for number, force in enumerate(body.forces):
+            way = self.way_of(force.size, force.owner)
+            if way != 0:
+                x, y = unit_of(self.arrow(force.direction))
+                turned = -1.0 if way == -1 else 1.0
+                yield number, force, self.applied(force), (turned * x, turned * y), way

@@ -3,16 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import call, negate
 from rotsolve.core.facts import BodyFacts, Couple, Force
+from rotsolve.core.vectors.heading import opposite
 from rotsolve.core.writing import spoken
-from rotsolve.draw.paper.figure import BODY, FORCE, SOLID, Figure, Point, quarter, shifted_by
-from rotsolve.draw.paper.lettering import Words, prose, words_with_letters
+from rotsolve.derivation.headings import moment_title
+from rotsolve.draw.paper.figure import (
+    BODY,
+    FORCE,
+    SOLID,
+    UNSURE,
+    Figure,
+    InkRole,
+    Label,
+    Line,
+    Point,
+    around,
+    box_of,
+    quarter,
+    shifted_by,
+)
+from rotsolve.draw.paper.labels import HIGH, box_at
+from rotsolve.draw.paper.lettering import SIZE, Words, prose, width_of, words_with_letters
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.places.bodies import Figured
-from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.sheet import ScenePaper
 
 ACROSS, SMALL = 84.0, 46.0  # points of paper for a rod or a group, and for another body
@@ -21,17 +37,18 @@ ROUND, WIDER = 13.0, 7.0  # radius of the arrow of a couple, and how much larger
 START, SWEEP = -0.6, 3.9  # radians of a couple's arrow
 LONGEST = 16  # letters of a size; a longer one is called by its noun
 ACROSS_ALL, GAP = 470.0, 26.0  # width of a row of diagrams, and what is between two
+UNTOLD = ("dashed: nothing tells which way it acts;", "drawn the way its letter counts")
 
 
 def free_body_figures(known: SceneFacts) -> list[tuple[str, Figure]]:
     """A diagram for each body on which something acts, by its name."""
-    acting = [body for body in known.facts.bodies if body.name in known.stage.bodies and acts(body)]
+    acting = [body for body in known.facts.bodies if body.name in known.stage.bodies and acts(body, known)]
     return [(body.name, free_body_figure(body, known)) for body in acting]
 
 
-def acts(body: BodyFacts) -> bool:
+def acts(body: BodyFacts, known: SceneFacts) -> bool:
     """Whether anything acts on a body."""
-    return any(force.size != ZERO for force in body.forces) or any(couple.torque != ZERO for couple in body.couples)
+    return any(known.way_of(item.size, item.owner) != 0 for item in body.acting)
 
 
 def free_body_figure(body: BodyFacts, known: SceneFacts) -> Figure:
@@ -40,26 +57,52 @@ def free_body_figure(body: BodyFacts, known: SceneFacts) -> Figure:
     members = [
         stage.bodies[name] for name in stage.configuration.carried(body.name, stage.state) if name in stage.bodies
     ]
-    sheet = ScenePaper(scale_of(members), f"Forces on {spoken(body.name)}", description(body))
+    called = f"{spoken(body.name)}{state_said(known)}"
+    sheet = ScenePaper(scale_of(members), f"Forces on {called}", description(body, known))
     for member in members:
         for outline in member.shown():
             sheet.outline(outline)
     if all(not member.outlines for member in members):
         sheet.figure.line(rope_piece(sheet.at(members[0].place)), BODY, closed=True)
     taken: list[tuple[Point, Point]] = []
-    for number, (force, place, way) in enumerate(known.acting(body)):
+    for number, force, place, way, told in known.acting(body):
         start = free_start(sheet.at(place), way, taken)
         taken.append((start, shifted_by(start, way, LONG)))
-        words = size_words(force, known)
-        sheet.arrow(start, way, LONG, FORCE, words, tag=f"{body.name} {number}")
+        role = UNSURE if told is None else FORCE
+        sheet.arrow(start, way, LONG, role, size_words(force, told, known), tag=f"{body.name} {number}")
         if force.role.weighs:
             sheet.figure.circle(sheet.at(place), 1.5, SOLID)
-    couples = [couple for couple in body.couples if couple.torque != ZERO]
-    for number, couple in enumerate(couples):
-        couple_arrow(couple, stage, known, sheet, size_words(couple, known), number)
+    draw_couples(body, known, sheet)
     sheet.finished()
-    sheet.letters.name(prose(spoken(body.name).removeprefix("the ")), under(sheet), (0.0, -1.0), 3.0, "faint")
+    sheet.letters.name(prose(called.removeprefix("the ")), under(sheet), (0.0, -1.0), 3.0, "faint")
     return sheet.finished()
+
+
+def draw_couples(body: BodyFacts, known: SceneFacts, sheet: ScenePaper) -> None:
+    """Round arrows, one round the other, the way in which each couple turns."""
+    drawn = 0
+    for number, couple in enumerate(body.couples):
+        told = known.way_of(couple.torque, couple.owner)
+        if told != 0:
+            turn = told or turn_counted(couple)
+            words = size_words(couple, turn * turn_counted(couple), known)
+            role, tag = (UNSURE if told is None else FORCE), f"{body.name} couple {number}"
+            couple_arrow(couple.body, turn, known, sheet, words, drawn, role, tag)
+            drawn += 1
+
+
+def turn_counted(couple: Couple) -> int:
+    """The sense in which a couple turns where its letter is positive, +1 counterclockwise."""
+    return -1 if couple.torque == negate(couple.size) else 1
+
+
+def state_said(known: SceneFacts) -> str:
+    """At which state a diagram is, as a derivation calls it; nothing of the only moment of a scene that does not name it."""
+    state = known.stage.state
+    if not state:
+        return ""
+    title = moment_title(state, known.stage.configuration.timeline)
+    return f", {title[0].lower()}{title[1:]}"
 
 
 def rope_piece(at: Point) -> list[Point]:
@@ -83,15 +126,24 @@ def scale_of(members: Sequence[Figured]) -> float:
     return (ACROSS if slender else SMALL) / size if size > 0.0 else 1.0
 
 
-def description(body: BodyFacts) -> str:
-    """All that acts, in words."""
-    acting = [f"{item.noun}{', ' + item.way if item.way else ''}" for item in body.acting if item.size != ZERO]
-    return "; ".join(acting) or "nothing acts on it"
+def description(body: BodyFacts, known: SceneFacts) -> str:
+    """All that acts, in words, the way in which it acts."""
+    said = []
+    for item in body.acting:
+        told = known.way_of(item.size, item.owner)
+        if told != 0:
+            way = opposite(item.way) if told == -1 else item.way
+            said.append(", ".join(filter(None, (item.noun, way, "or the other way" if told is None else ""))))
+    return "; ".join(said) or "nothing acts on it"
 
 
-def size_words(item: Force | Couple, known: SceneFacts) -> Words:
-    """The size of a force in the letters that a derivation prints, or what it is called where that is long."""
+def size_words(item: Force | Couple, way: int | None, known: SceneFacts) -> Words:
+    """The size of a force, which is never negative, in the letters that a derivation prints; what it is called where that is long."""
     words = words_with_letters(item.size, known.letters)
+    if way == -1:
+        words = words_with_letters(negate(item.size), known.letters)
+        if words.text.startswith("−"):
+            words = words_with_letters(call("abs", item.size), known.letters)
     return words if len(words.text) <= LONGEST else prose(item.noun)
 
 
@@ -114,16 +166,30 @@ def same_line(start: Point, way: Point, arrow: tuple[Point, Point]) -> bool:
 
 
 def couple_arrow(
-    couple: Couple, stage: PlaneStage, known: SceneFacts, sheet: ScenePaper, words: Words | None, number: int
+    name: str,
+    turn: int,
+    known: SceneFacts,
+    sheet: ScenePaper,
+    words: Words | None,
+    number: int,
+    role: InkRole = FORCE,
+    tag: str = "",
 ) -> None:
-    """A round arrow about the reference of a body, along the turn of a couple."""
-    turn = 1.0 if known.number(couple.torque) >= 0.0 else -1.0
-    body = stage.bodies[couple.body]
-    centre = sheet.at(known.reference(couple.body))
+    """A round arrow about the reference of a body, +1 counterclockwise, outside of `number` others."""
+    body = known.stage.bodies[name]
+    centre = sheet.at(known.reference(name))
     room = 0.5 * sheet.scale * body.reach((1.0, 0.0)) if len(body.outlines) and not body.dot else 0.0
     radius = max(ROUND, min(room, 24.0)) + WIDER * number
     start = math.pi / 2 - turn * SWEEP / 2
-    sheet.round_arrow(centre, radius, start, turn * SWEEP, FORCE, words, tag=f"{couple.body} couple {number}")
+    sheet.round_arrow(centre, radius, start, turn * SWEEP, role, words, tag=tag)
+
+
+def look_of(figure: Figure) -> tuple[object, ...]:
+    """What is seen of a diagram, wherever it lies and whatever it is called: two that look alike say the same."""
+    left, low, _, _ = around([box_of(mark) for mark in figure.marks])
+    marks = [mark for mark in figure.shifted((-left, -low)).marks if isinstance(mark, Line)]
+    lines = [(mark.role.name, tuple((round(x), round(y)) for x, y in mark.points)) for mark in marks]
+    return *lines, *(label.text for label in figure.labels if label.ink == FORCE.ink)
 
 
 def diagrams_in_rows(figures: Sequence[Figure], title: str, description: str) -> Figure:
@@ -138,4 +204,14 @@ def diagrams_in_rows(figures: Sequence[Figure], title: str, description: str) ->
         whole.marks += placed.marks
         whole.labels += placed.labels
         x, deepest = x + right - left + GAP, min(deepest, top - (high - low))
+    if any(mark.role is UNSURE for mark in whole.marks):
+        whole.labels += caption(UNTOLD, deepest - GAP / 2)
     return whole
+
+
+def caption(lines: Sequence[str], top: float) -> Iterator[Label]:
+    """Lines of words below a picture, from the left."""
+    wide, high = max(width_of(line, SIZE, True) for line in lines), HIGH * SIZE
+    for number, line in enumerate(lines):
+        at = wide / 2, top - (number + 0.5) * high
+        yield Label(line, prose(line).latex, at, box_at(at, wide, high), "faint")

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from rotsolve.algebra.formula import ZERO, Negative
 from rotsolve.core.facts import Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import has_quantities
@@ -13,6 +14,7 @@ from rotsolve.draw.paper.figure import FORCE, Figure, Point, arc_points, shifted
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.facts import SceneFacts
 from rotsolve.draw.plane.freebody import couple_arrow, free_start
+from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.contacts import normal_sign
 from rotsolve.draw.plane.places.kinds import curve_radius
 from rotsolve.draw.plane.places.stage import PlaneStage
@@ -24,8 +26,10 @@ from rotsolve.draw.plane.signs.names import draw_names
 from rotsolve.draw.plane.signs.senses import draw_senses
 from rotsolve.draw.plane.signs.sheet import ScenePaper
 from rotsolve.draw.plane.signs.strings import edge_along
+from rotsolve.draw.plane.signs.struck import draw_struck
 from rotsolve.draw.plane.signs.ties import draw_connections
 from rotsolve.language.bodies import Surface
+from rotsolve.language.elements import Action
 
 BLOCKS = 56.0  # points of paper for a block
 WIDE, TALL, LARGEST, ROUND = 330.0, 230.0, 165.0, 96.0  # points of paper for all bodies, for one, and for a round one
@@ -74,12 +78,12 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
     draw_surfaces(stage, sheet)
     draw_connections(stage, sheet)
     draw_ghosts(stage, sheet)
-    for body in stage.bodies.values():
-        if body.seen:
-            for outline in body.shown():
-                sheet.outline(outline)
+    for body in largest_first(stage):
+        for outline in body.shown():
+            sheet.outline(outline)
     draw_plane_actions(stage, sheet)
     draw_blows(stage, sheet)
+    draw_struck(stage, sheet)
     draw_angles(stage, sheet)
     if any(item.side is not None for item in stage.kinds.contacts):
         from rotsolve.draw.plane.signs.marked_sides import mark_sides
@@ -91,32 +95,71 @@ def draw_scene(stage: PlaneStage, title: str = "", description: str = "") -> Fig
     return sheet.finished()
 
 
+def largest_first(stage: PlaneStage) -> list[Figured]:
+    """The bodies that are seen, so that none is hidden by one in which, or on which, it lies."""
+    return sorted((body for body in stage.bodies.values() if body.seen), key=lambda body: -max(spans(body.bound())))
+
+
 def draw_plane_actions(stage: PlaneStage, sheet: ScenePaper) -> None:
     """The forces and couples of the actions, as their facts say."""
     if not stage.model.acting.actions:
         return
     known, taken = SceneFacts(stage), list[tuple[Point, Point]]()
+    couples: dict[str, int] = {}
     for action in stage.model.acting.actions:
         try:
             facts = list(action.facts(known.instant))
         except Unsolvable:
             continue
-        words = told_words(stage, action.strength())
+        words = strength_words(action, stage)
         for fact in facts:
             if isinstance(fact, Force) and not fact.role.rubs:
-                x, y = known.arrow(fact.direction)
-                at = sheet.at(known.applied(fact))
-                if fact.role.presses:
-                    draw_push(at, (x, y), words, sheet)
-                else:
-                    body = stage.bodies[fact.body]
-                    if body.block:
-                        at = shifted_by(at, (x, y), sheet.scale * edge_along(body, (x, y)))
-                    at = free_start(at, (x, y), taken)
-                    taken.append((at, shifted_by(at, (x, y), PULL)))
-                    sheet.arrow(at, (x, y), PULL, FORCE, words)
+                draw_pull(fact, words, known, sheet, taken, told_backwards(fact, action))
             elif isinstance(fact, Couple):
-                couple_arrow(fact, stage, known, sheet, words, 0)
+                turn = turn_shown(fact, action, known)
+                couple_arrow(fact.body, turn, known, sheet, words, couples.get(fact.body, 0))
+                couples[fact.body] = couples.get(fact.body, 0) + 1
+
+
+def strength_words(action: Action, stage: PlaneStage) -> Words | None:
+    """How strong an action is: −k x one way is k x the other way, in which it is drawn."""
+    told = action.strength()
+    return told_words(stage, told.operand if isinstance(told, Negative) else told)
+
+
+def told_backwards(fact: Force, action: Action) -> bool:
+    """Whether the direction of a force is still that of −k x, and not yet that of k x the other way."""
+    return isinstance(action.strength(), Negative) and (fact.size == ZERO or isinstance(fact.size, Negative))
+
+
+def turn_shown(fact: Couple, action: Action, known: SceneFacts) -> int:
+    """The turn of a couple, +1 counterclockwise; of one that is nothing at the state, such as a drag, that which it will have."""
+    if abs(known.number(fact.torque)) == 0.0:
+        later = known.scene.instant(known.stage.state, generic=True)
+        fact = next((one for one in action.facts(later) if isinstance(one, Couple) and one.body == fact.body), fact)
+    return 1 if known.number(fact.torque) >= 0.0 else -1
+
+
+def draw_pull(
+    fact: Force,
+    words: Words | None,
+    known: SceneFacts,
+    sheet: ScenePaper,
+    taken: list[tuple[Point, Point]],
+    turned: bool,
+) -> None:
+    """The force of an action: up to its point where it presses, else away from it, beside what lies there already."""
+    way, at = known.arrow(fact.direction), sheet.at(known.applied(fact))
+    way = (-way[0], -way[1]) if turned else way
+    if fact.role.presses:
+        draw_push(at, way, words, sheet)
+        return
+    body = known.stage.bodies[fact.body]
+    if body.block:
+        at = shifted_by(at, way, sheet.scale * edge_along(body, way))
+    at = free_start(at, way, taken)
+    taken.append((at, shifted_by(at, way, PULL)))
+    sheet.arrow(at, way, PULL, FORCE, words)
 
 
 def draw_blows(stage: PlaneStage, sheet: ScenePaper) -> None:

@@ -14,6 +14,7 @@ from msgspec.structs import replace
 from rotsolve.core.derivation import Check
 from rotsolve.page import blocks
 from rotsolve.page.languages.language import FORMULAS, Language, Translation
+from rotsolve.page.statement_blocks import Question, SheetHead
 
 HELD = re.compile(f"([{chr(FORMULAS)}-{chr(FORMULAS + 0x18FF)}])")  # letters that stand for formulas
 
@@ -75,6 +76,11 @@ class Translator:
             case blocks.Table():
                 rows = tuple(map(self.phrases, block.rows))
                 return replace(block, columns=tuple(map(self.text, block.columns)), rows=rows)
+            case SheetHead():
+                fields = tuple(replace(field, label=self.text(field.label)) for field in block.fields)
+                return replace(block, title=self.phrase(block.title), fields=fields)
+            case Question():
+                return replace(block, words=self.phrase(block.words), points=self.text(block.points))
             case blocks.Labels():
                 return replace(block, rows=tuple(map(self._labelled, block.rows)))
             case blocks.Listing():

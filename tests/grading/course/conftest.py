@@ -30,7 +30,7 @@ MISTAKE = Remark("mistake", ("It looks as if ", parse("1/2*M*R^2"), " was left o
 class MadeUp:
     """`bad` is wrong by a mistake, `odd` can't be read there, `?` can't be decided; all else is right."""
 
-    def __init__(self, solution: Solution) -> None:
+    def __init__(self, solution: Solution, wrong: object = None) -> None:
         self.names = [answer.name for answer in solution.derivation.answers]
 
     def mark(self, paper: Paper) -> Marked:

@@ -9,10 +9,11 @@ from msgspec import Struct
 
 from rotsolve.confirm.bodies import radius_of
 from rotsolve.confirm.model import Model
+from rotsolve.confirm.seating import turned_as_told
 from rotsolve.confirm.signs import normal, rests, surface_of
 from rotsolve.draw.paper.figure import Point, shifted_by
 from rotsolve.draw.plane.places.kinds import ConnectionKinds, curve_radius
-from rotsolve.draw.plane.places.outlines import BodyOutline, Value, body_outlines, box, disc, polygon, spun
+from rotsolve.draw.plane.places.outlines import WALL, BodyOutline, Value, body_outlines, box, disc, polygon, spun
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body
 from rotsolve.language.elements import Connection
@@ -100,17 +101,34 @@ def figured(
 ) -> dict[str, Figured]:
     """All bodies as they are drawn, turned as they stand."""
     found: dict[str, Figured] = {}
+    told = turned_as_told(model)
     for name, seat in model.seats.items():
         body = model.body(name)
         outlines = tuple(body_outlines(body, value))
         turn, block = q[seat.turn], False
         if not outlines:
             outlines, block = plain_outline(name, model, kinds, value, sizes, found)
-        tilt = lying_tilt(name, model, kinds)
+        if name in model.held and holds_inside(name, kinds):
+            outlines = walls_outwards(outlines)
+        tilt = None if name in told else lying_tilt(name, model, kinds)
         if tilt is not None and (block or not shape_of(body).slender):
             turn = turn + tilt
         found[name] = Figured(name, body, outlines, turn, block=block, seen=not is_rope(name, kinds))
     return found
+
+
+def holds_inside(name: str, kinds: ConnectionKinds) -> bool:
+    """Whether something rolls or slides on the inside of a body."""
+    inner = [item.pair()[1].owner for item in kinds.contacts if item.on_inside()]
+    return name in (*inner, *(item.gear[1].owner for item in kinds.gears if item.inside))
+
+
+def walls_outwards(outlines: tuple[BodyOutline, ...]) -> tuple[BodyOutline, ...]:
+    """A ring whose thickness nobody told, with the radius that is told as the inner one, on which something lies."""
+    radii = [outline.radius for outline in outlines]
+    if len(radii) == 2 and radii[0] and radii[1] == WALL * radii[0]:
+        return disc(radii[0] / WALL), disc(radii[0], cut=True)
+    return outlines
 
 
 def is_rope(name: str, kinds: ConnectionKinds) -> bool:

@@ -64,6 +64,7 @@ def beside_others(item: Touch, out: Point, stage: PlaneStage) -> float:
     """How far from the middle of what lies on several bodies one of them is: rollers stand apart, from left to right as they are named."""
     ref, under = item.pair()[:2]
     below = [other.pair()[1].owner for other in stage.kinds.contacts if other.lying() == ref.owner]
+    below = [owner for owner in below if owner in stage.bodies]
     ahead = turned(out, -1)
     wide = 2 * APART * stage.bodies[under.owner].reach(ahead)
     step = max(SPREAD * stage.bodies[ref.owner].reach(ahead) / max(len(below) - 1, 1), wide)

@@ -98,9 +98,9 @@ def lay_slot(item: PinSlot, stage: PlaneStage) -> None:
 def wheels_beside(
     first: PointRef, second: PointRef, stage: PlaneStage, *, gap: float = 1.0, inside: bool = False
 ) -> None:
-    """Two wheels side by side, the second on the right: touching, or so many radii apart."""
+    """Two wheels side by side, the second on the right: touching, or so many radii apart; the first on the right within the second."""
     radii = [stage.rim(ref) or stage.bodies[ref.owner].reach((1.0, 0.0)) for ref in (first, second)]
-    apart = abs(radii[0] - radii[1]) if inside else gap * sum(radii)
+    apart = -abs(radii[0] - radii[1]) if inside else gap * sum(radii)
     if gap > 1.0:
         apart = max(apart, gap * sum(stage.bodies[ref.owner].reach((1.0, 0.0)) for ref in (first, second)))
     one, two = (stage.place_of(ref.owner, stage.model.spot(ref)) for ref in (first, second))

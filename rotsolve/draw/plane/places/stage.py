@@ -25,6 +25,7 @@ from rotsolve.draw.plane.places.bodies import Figured, Measures, figured, scene_
 from rotsolve.draw.plane.places.equations import Layout, Place, place_off, told_place
 from rotsolve.draw.plane.places.kinds import by_kind
 from rotsolve.draw.plane.places.outlines import Value, spun, value_function
+from rotsolve.draw.plane.places.posts import STOUT, is_post_of, touched_at
 from rotsolve.elements.connections.strings import String
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Connection
@@ -86,6 +87,7 @@ class PlaneStage:
         self.unknown: dict[str, Place] = {
             name: (self.layout.unknown(number * wide), self.layout.unknown()) for number, name in enumerate(self.bodies)
         }
+        self.posts: dict[str, Place] = {}  # the middles of posts
         self.wheels: list[tuple[PointRef, PointRef]] = []  # that touch side by side
         self.__dict__.pop("groups", None)
 
@@ -134,9 +136,25 @@ class PlaneStage:
 
     def leg_end(self, ref: PointRef, side: int, way: Way) -> Place | None:
         """Where a leg of a string ends: on the rim of a wheel, at a point, or nowhere that is told."""
+        if is_post_of(ref, self.model):
+            return place_off(self.post(ref.owner), self.on_post(ref, way))
         if ref.owner not in self.bodies or ref.place is not None or not side:
             return self.tied(ref)
         return place_off(self.place_of(ref.owner, self.model.spot(ref)), rim_arm(ref, way, side, self.model))
+
+    def post(self, name: str) -> Place:
+        """The middle of a post."""
+        if name not in self.posts:
+            self.posts[name] = (self.layout.unknown(), self.layout.unknown())
+        return self.posts[name]
+
+    @property
+    def post_radius(self) -> float:
+        return STOUT * self.sizes.block
+
+    def on_post(self, ref: PointRef, way: Way) -> Point:
+        """From the middle of a post to where a strand along a direction touches it."""
+        return touched_at(ref, way, self.post_radius, self.kinds, self.model)
 
     def drawn_at(self, name: str) -> Point:
         """Where the assembly has the origin of a body."""

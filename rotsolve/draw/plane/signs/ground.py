@@ -25,6 +25,7 @@ DEEP = 34.0  # of the side of a table that is seen
 RUN_OUT = 200.0  # of a slope beyond what lies on it, at most
 ANCHOR = 66.0  # from a body to the ground to which a spring ties it
 ARC = 30.0  # radius of the arc of an angle
+CROSSED = 0.02  # of the measure of a scene, by which a body must be on both sides of a wall to lie across it
 
 
 def told_words(stage: PlaneStage, value: Formula | None) -> Words | None:
@@ -147,7 +148,16 @@ def standing_walls(stage: PlaneStage) -> Iterator[tuple[float, bool]]:
     for surface, where in stage.surfaces.values():
         if surface.upright:
             out = normal(surface, stage.model)[0]
-            yield where.at(stage.found) * out, out < 0.0
+            x = where.at(stage.found) * out
+            if clear_below(x, stage):
+                yield x, out < 0.0
+
+
+def clear_below(x: float, stage: PlaneStage) -> bool:
+    """Whether a wall goes down to the floor: where no body lies across it."""
+    least = CROSSED * stage.sizes.whole
+    spans = [[across for across, _ in body.bound()] for body in stage.bodies.values() if body.seen]
+    return not any(min(xs) < x - least and x + least < max(xs) for xs in spans if xs)
 
 
 def edges_above(stage: PlaneStage) -> Iterator[tuple[Point, float, bool]]:
@@ -186,9 +196,11 @@ def wall(surface: Wall, where: float, stage: PlaneStage, sheet: ScenePaper) -> N
     """A wall, down to the floor where there is one."""
     out = normal(surface, stage.model)
     low, high, _, _ = surface_extent(surface, (0.0, 1.0), stage, sheet)
+    down = clear_below(where * out[0], stage)
     for other, level in stage.surfaces.values():
-        if other.level:
+        if other.level and down:
             low = level.at(stage.found) * sheet.scale
+    low, high = (low, high) if down else (low + BEYOND, high)  # what lies across it is below
     x = where * out[0] * sheet.scale
     sheet.hatched([(x, high), (x, low)] if out[0] > 0 else [(x, low), (x, high)])
     stage.drawn_ground += [(x, low), (x, high)]

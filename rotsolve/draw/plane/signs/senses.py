@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Sequence
 
 from rotsolve.algebra.formula import Negative, negate
-from rotsolve.draw.paper.figure import SENSE, SPIN, Point, quarter, shifted_by, unit_of
+from rotsolve.draw.paper.figure import HATCH, SENSE, SPIN, Box, Point, arc_points, quarter, shifted_by, unit_of
+from rotsolve.draw.paper.labels import crosses, straight_pieces
 from rotsolve.draw.paper.lettering import Words
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.contacts import normal_sign
 from rotsolve.draw.plane.places.kinds import curve_radius
+from rotsolve.draw.plane.places.overlaps import hull, meet
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
 from rotsolve.draw.plane.signs.sheet import ARROW, ScenePaper
@@ -18,6 +22,7 @@ from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Condition
 
 SENSE_ARC = 0.85  # radians of a round arrow
+CLEAR, STEPS = 1.5, 6  # points of room round an arrow; steps in which a straight one is looked at
 
 
 def draw_senses(stage: PlaneStage, sheet: ScenePaper) -> None:
@@ -42,17 +47,73 @@ def draw_travel(body: Figured, speed: Condition | None, stage: PlaneStage, sheet
         return
     back = speed is not None and speed.value is not None and runs_back(speed.value, stage)
     way = (-way[0], -way[1]) if back else way
-    at = sheet.at(body.place)
+    at, side = sheet.at(body.place), side_of_way(body, way, stage)
     role = SPIN if speed is not None else SENSE
-    words = speed_words(speed, stage)
-    if speed is not None:
-        reach = sheet.scale * body.reach(way) + 5.0
-        sheet.arrow(shifted_by(at, way, reach), way, ARROW, role, words)
-        return
-    side = side_of_way(body, way, stage)
-    off = sheet.scale * body.reach(side) + 8.0
-    start = shifted_by(shifted_by(at, side, off), way, -ARROW / 2)
-    sheet.arrow(start, way, ARROW, role, words)
+    starts = [ahead_of(body, way, at, sheet)] if speed is not None else []
+    starts += [beside_way(body, way, side, at, sheet), beside_way(body, way, (-side[0], -side[1]), at, sheet)]
+    starts += [up_to_back(body, way, at, sheet), ahead_of(body, way, at, sheet), shifted_by(at, way, -ARROW / 2)]
+    start = freest([[start, shifted_by(start, way, ARROW)] for start in starts], body, stage, sheet)[0]
+    sheet.arrow(start, way, ARROW, role, speed_words(speed, stage))
+
+
+def ahead_of(body: Figured, way: Point, at: Point, sheet: ScenePaper) -> Point:
+    """Where an arrow begins that goes on from the edge of a body."""
+    return shifted_by(at, way, sheet.scale * body.reach(way) + 5.0)
+
+
+def up_to_back(body: Figured, way: Point, at: Point, sheet: ScenePaper) -> Point:
+    """Where an arrow begins that comes up to the back of a body."""
+    return shifted_by(at, way, -sheet.scale * body.reach((-way[0], -way[1])) - 5.0 - ARROW)
+
+
+def beside_way(body: Figured, way: Point, side: Point, at: Point, sheet: ScenePaper) -> Point:
+    """Where an arrow begins that runs along one side of a body."""
+    return shifted_by(shifted_by(at, side, sheet.scale * body.reach(side) + 8.0), way, -ARROW / 2)
+
+
+def freest(courses: Sequence[list[Point]], body: Figured, stage: PlaneStage, sheet: ScenePaper) -> list[Point]:
+    """The first of the courses of an arrow that meets fewest lines and no other body."""
+    lines = [
+        piece
+        for mark in sheet.figure.marks
+        if mark.role.ink not in ("", "faint") and mark.role is not HATCH
+        for piece in straight_pieces(mark)
+    ]
+    others = [
+        hull([sheet.at(point) for point in one.bound()])
+        for one in stage.bodies.values()
+        if one is not body and one.seen
+    ]
+
+    def met(course: list[Point]) -> int:
+        """How many of its steps meet something."""
+        rooms = [around_step(one, other) for one, other in itertools.pairwise(steps_of_course(course))]
+        return sum(
+            any(crosses(piece, room) for piece in lines) or any(meet(around_corners(room), one) for one in others)
+            for room in rooms
+        )
+
+    return min(courses, key=met)
+
+
+def steps_of_course(course: list[Point]) -> list[Point]:
+    """A course in steps: a straight one in several."""
+    if len(course) > 2:
+        return course
+    (ax, ay), (bx, by) = course
+    return [(ax + (bx - ax) * k / STEPS, ay + (by - ay) * k / STEPS) for k in range(STEPS + 1)]
+
+
+def around_step(one: Point, other: Point) -> Box:
+    """The room of a step."""
+    (ax, ay), (bx, by) = one, other
+    return min(ax, bx) - CLEAR, min(ay, by) - CLEAR, max(ax, bx) + CLEAR, max(ay, by) + CLEAR
+
+
+def around_corners(box: Box) -> list[Point]:
+    """The corners of a box, counterclockwise."""
+    left, low, right, high = box
+    return [(left, low), (right, low), (right, high), (left, high)]
 
 
 def speed_words(speed: Condition | None, stage: PlaneStage) -> Words | None:
@@ -113,4 +174,7 @@ def draw_turn(body: Figured, speed: Condition | None, stage: PlaneStage, sheet: 
     elif body.outlines[0].radius is None:  # above the upper edge of what has corners
         middle, radius = math.pi / 2, sheet.scale * body.reach((0.0, 1.0)) + 10.0
     turn = max(0.5, min(1.2, 30.0 / radius))
+    middles = [middle, math.pi - middle, *(middle + off for off in (-0.6, 0.6, -1.2, 1.2))]
+    courses = [arc_points(centre, radius, middle - turn / 2, middle + turn / 2) for middle in middles]
+    middle = middles[courses.index(freest(courses, body, stage, sheet))]
     sheet.round_arrow(centre, radius, middle - sense * turn / 2, sense * turn, role, words)

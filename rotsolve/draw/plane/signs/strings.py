@@ -10,10 +10,13 @@ from rotsolve.confirm.forces import spring_way
 from rotsolve.confirm.pose import StringPart
 from rotsolve.confirm.routing import rim_arm
 from rotsolve.confirm.signs import normal
+from rotsolve.core.writing import spoken
 from rotsolve.draw.paper.figure import (
     BEHIND,
+    GROUND,
     STRING,
     SUPPORT,
+    SURFACE,
     THICK,
     Point,
     arc_points,
@@ -22,8 +25,10 @@ from rotsolve.draw.paper.figure import (
     shifted_by,
     unit_of,
 )
+from rotsolve.draw.paper.lettering import prose
 from rotsolve.draw.plane.places.bodies import Figured
 from rotsolve.draw.plane.places.outlines import spun
+from rotsolve.draw.plane.places.posts import is_post_of, turn_round
 from rotsolve.draw.plane.places.stage import PlaneStage
 from rotsolve.draw.plane.signs.ground import told_words
 from rotsolve.draw.plane.signs.sheet import ScenePaper
@@ -62,7 +67,9 @@ def straight_on(name: str, ref: PointRef, at: Point, way: Point, stage: PlaneSta
 
 
 def leg_end(ref: PointRef, side: int, leg: StringPart, stage: PlaneStage, sheet: ScenePaper) -> Point | None:
-    """Where a leg meets a wheel or a point."""
+    """Where a leg meets a wheel, a post or a point."""
+    if is_post_of(ref, stage.model) and leg.along is not None:
+        return sheet.at(shifted_by(stage.middle(stage.post(ref.owner)), stage.on_post(ref, leg.along)))
     if ref.owner not in stage.bodies or ref.place is not None:
         place = stage.point(ref)
         return None if place is None else sheet.at(place)
@@ -113,6 +120,8 @@ def draw_string(item: String, stage: PlaneStage, sheet: ScenePaper) -> None:
         sheet.figure.line([start, end], STRING if front or any(leg.sides) else BEHIND)
     for before, after, leg in zip(ends, ends[1:], legs, strict=False):
         wrapped(leg.second, leg.sides[1], before[1], after[0], stage, sheet)
+        if is_post_of(leg.second, stage.model):
+            draw_post(leg.second, before[1], after[0], stage, sheet)
     for ref, end, other in ((item.string[0], ends[0][0], ends[0][1]), (item.string[-1], ends[-1][1], ends[-1][0])):
         if ref.owner not in stage.bodies and ref.owner not in stage.surfaces:
             sheet.patch(end, unit_of((other[0] - end[0], other[1] - end[1])))
@@ -136,6 +145,17 @@ def wrapped(ref: PointRef, side: int, start: Point, end: Point, stage: PlaneStag
         sheet.figure.line(
             arc_points(centre, math.dist(centre, start), first, first - turn if side > 0 else first + turn), STRING
         )
+
+
+def draw_post(ref: PointRef, start: Point, end: Point, stage: PlaneStage, sheet: ScenePaper) -> None:
+    """A post with the rope on it, all the way round where its strands go on in one line; and what the post is called."""
+    centre, turn = sheet.at(stage.middle(stage.post(ref.owner))), turn_round(ref.owner, stage.kinds, stage.model)
+    for role in (GROUND, SURFACE):
+        sheet.figure.circle(centre, sheet.scale * stage.post_radius, role)
+    first, last = (math.atan2(y - centre[1], x - centre[0]) for x, y in (start, end))
+    way = turn * ((turn * (last - first) - 1e-6) % (2 * math.pi) + 1e-6)
+    sheet.figure.line(arc_points(centre, math.dist(centre, start), first, first + way), STRING)
+    sheet.letters.name(prose(spoken(ref.owner)), centre, inside=True, tag=ref.owner)
 
 
 def brace(ref: PointRef, stage: PlaneStage, sheet: ScenePaper) -> None:
@@ -195,6 +215,10 @@ def draw_spring(item: Spring, stage: PlaneStage, sheet: ScenePaper) -> None:
     elif second is None and first is not None:
         first = edge_of(item.spring[0], first, way, stage, sheet)
         second = spring_end(item, item.spring[1], first, way, stage, sheet)
+    elif first is not None and second is not None:
+        along = unit_of((second[0] - first[0], second[1] - first[1]))
+        first = edge_of(item.spring[0], first, along, stage, sheet)
+        second = edge_of(item.spring[1], second, (-along[0], -along[1]), stage, sheet)
     if first is None or second is None:
         return
     sheet.figure.line(coil(first, second), STRING)
@@ -225,8 +249,8 @@ def spring_place(ref: PointRef, stage: PlaneStage) -> Point | None:
 
 def edge_of(ref: PointRef, at: Point, way: Point, stage: PlaneStage, sheet: ScenePaper) -> Point:
     """Where a spring meets the outside of a block."""
-    body = stage.bodies[ref.owner]
-    return shifted_by(at, way, sheet.scale * edge_along(body, way)) if body.block else at
+    body = stage.bodies.get(ref.owner)
+    return shifted_by(at, way, sheet.scale * edge_along(body, way)) if body is not None and body.block else at
 
 
 def coil(first: Point, second: Point) -> list[Point]:
