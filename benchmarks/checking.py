@@ -1,9 +1,12 @@
-"""What it costs to judge a line of a student, once the scene is solved: reading it in all ways, and the verdict.
+"""What it costs to judge a line of a student, once the scene is solved: reading it in all ways, and the verdict; of a wrong line, also to
+look for its mistake.
 
-    python benchmarks/checking.py [--lines N] [--seed S] [--write]
+    python benchmarks/checking.py [--lines N] [--each N] [--seed S] [--write]
 
 Lines are made from the answers of every fourth bundled problem: rewritten right forms, forms with a slip, lines that can be read in two
-ways, numbers with units; no answer has a line twice. All times are processor times. `--write` puts the table into docs/benchmarks.md.
+ways, numbers with units; no answer has a line twice. Wrong lines are marked as those of a class: answers with a known mistake in them,
+formulas with a slip, wrong numbers; the first of a problem pays for the search that all others share. All times are processor times.
+`--write` puts the tables into docs/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -13,7 +16,7 @@ import gc
 import time
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from random import Random
 from statistics import mean
@@ -26,13 +29,18 @@ from rotsolve.algebra.formula import ELLIPTIC, Formula, Integral, Number, Power,
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.core.symbols import TIME
+from rotsolve.grading.marking.explaining import Explaining
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target
+from rotsolve.grading.mistakes.table import Wrong
+from rotsolve.grading.verdict import Paper
 from rotsolve.process import GARBAGE
 
 PROBLEMS = Path(__file__).resolve().parent.parent / "problems"
 EACH = 4  # of so many problem files, one is taken
 WANTED = 200  # µs for a line
+WANTED_WRONG = 20  # ms for nine in ten wrong lines of a class
+LONG = 10**6  # characters of a line that nobody means
 WHY = (
     "not met: what is not right as it stands is looked at in other ways before it is called wrong: with units in it, with numbers in place "
     "of letters, for the signs of the scene's own numbers, with the other sign"
@@ -51,6 +59,11 @@ class Subject:
     def __init__(self, closed: Formula, unit: str, judge: Judge, target: Target) -> None:
         self.closed, self.unit, self.judge, self.target = closed, unit, judge, target
         self.letters = frozenset((*judge.letters.givens, *judge.letters.told))
+
+    @cached_property
+    def mistaken(self) -> list[Wrong]:
+        """The mistakes of the scene with the answers that they give."""
+        return list(Explaining(self.judge.letters).wrong_answers)
 
 
 LONGEST = 300  # nodes of a formula that somebody types: of longer ones the judge says that it can't decide
@@ -143,6 +156,106 @@ def measured(kind: str, asked: Sequence[Subject], lines: int, seed: int) -> list
     return spent
 
 
+# wrong lines
+
+
+def slip_of_power(subject: Subject, random: Random) -> str:
+    """A product of powers of the letters of an answer, as if it had been guessed."""
+    letters = sorted(subject.closed.symbols())
+    return " ".join(
+        f"{name}^{random.choice([-1, 1, 2])}" for name in random.sample(letters, random.randint(1, len(letters)))
+    )
+
+
+def with_mistake(subject: Subject, random: Random, as_number: bool) -> str:
+    """An answer to the scene with one of the known mistakes in it; where there is none, a slip."""
+    found = [answers[subject.target.name] for _, answers in subject.mistaken if subject.target.name in answers]
+    if as_number:
+        numbers = [
+            f"{one.value.float:.5g} {one.unit.text if one.unit else ''}" for one in found if one.value is not None
+        ]
+        return random.choice(numbers or [quantity(subject, random)])
+    forms = [one.closed for one in found if one.closed is not None and length(one.closed) <= LONGEST]
+    return random.choice(STYLES)(random.choice(forms)) if forms else wrong(subject, random)
+
+
+WRONG_KINDS: dict[str, Callable[[Subject, Random], str]] = {
+    "mistake, formula": lambda subject, random: with_mistake(subject, random, False),
+    "mistake, number": lambda subject, random: with_mistake(subject, random, True),
+    "slip in a formula": wrong,
+    "guessed formula": slip_of_power,
+    "wrong number": quantity,
+}
+
+
+def class_of(asked: Sequence[Subject], each: int, random: Random) -> list[tuple[str, Subject, str]]:
+    """The wrong lines of a class that has one problem to do, with their kinds, in any order; none twice."""
+    lines = {
+        (subject.target.name, text): (kind, subject, text)
+        for kind, made in WRONG_KINDS.items()
+        for subject in asked
+        for text in (made(subject, random) for _ in range(each))
+    }
+    handed = list(lines.values())
+    random.shuffle(handed)
+    return handed
+
+
+def marked_class(asked: Sequence[Subject], each: int, random: Random) -> list[tuple[str, float]]:
+    """The kinds of the wrong lines of a class with the milliseconds that each took; of the first one, with the search that all share."""
+    handed = class_of(asked, each, random)
+    judge = Judge(asked[0].judge.letters.solution)
+    judge.texts.targets  # noqa: B018 -- what right lines need too
+    times = []
+    for place, (kind, subject, text) in enumerate(handed):
+        start = time.process_time()
+        judge.mark(Paper("", {subject.target.name: text}))
+        times.append((kind if place else "first of its problem", (time.process_time() - start) * 1e3))
+    return times
+
+
+def of_long_line(subject: Subject) -> float:
+    """The milliseconds for a paper with an answer and a line of working of a million characters."""
+    text = "m g + " * (LONG // 6)
+    start = time.process_time()
+    subject.judge.mark(Paper("", {subject.target.name: text}, (text,)))
+    return (time.process_time() - start) * 1e3
+
+
+def wrong_page(each: int, seed: int) -> str:
+    """The section on wrong lines."""
+    random = Random(f"wrong {seed}")
+    by_scene: dict[int, list[Subject]] = {}
+    for subject in subjects():
+        by_scene.setdefault(id(subject.judge), []).append(subject)
+    first = next(iter(by_scene.values()))
+    marked_class(first, each, Random(0))  # what is imported late
+    found: dict[str, list[float]] = {}
+    for asked in by_scene.values():
+        for kind, spent in marked_class(asked, each, random):
+            found.setdefault(kind, []).append(spent)
+    found["all of them"] = [one for times in found.values() for one in times]
+    rows = [
+        (kind, str(len(times)), *(f"{value:.1f}" for value in (share(times, 0.5), share(times, 0.9), max(times))))
+        for kind, times in found.items()
+    ]
+    slowest = share(found["all of them"], 0.9)
+    return "\n\n".join(
+        (
+            "## Wrong lines",
+            f"`python benchmarks/checking.py`, {machine()}",
+            f"Processor time to mark a wrong answer and to look for its mistake, in ms, for {len(by_scene)} problems.",
+            table(("lines", "number", "half below", "90 % below", "most"), rows),
+            f"Nine in ten take no more than {slowest:.1f} ms; {WANTED_WRONG} were wanted, which is "
+            f"{'met' if slowest <= WANTED_WRONG else 'not met'}. A paper with an answer and a line of working of a million "
+            f"characters takes {of_long_line(first[0]):.1f} ms.",
+        )
+    )
+
+
+# the page
+
+
 def page(lines: int, seed: int) -> str:
     """The section with its table."""
     asked = list(subjects())
@@ -170,11 +283,12 @@ def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description="What it costs to judge a line.")
     parser.add_argument("--lines", type=int, default=2000, help="lines of each kind (2000)")
+    parser.add_argument("--each", type=int, default=6, help="wrong lines of each kind for each answer (6)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--write", action="store_true", help="put the table into docs/benchmarks.md")
     told = parser.parse_args()
     gc.set_threshold(GARBAGE)  # as in the command
-    text = page(told.lines, told.seed)
+    text = f"{page(told.lines, told.seed)}\n\n{wrong_page(told.each, told.seed)}"
     print(text)
     if told.write:
         write_section("checking", text)

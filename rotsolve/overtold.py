@@ -25,7 +25,8 @@ from rotsolve.core.letters import Given
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.problem import Condition, Find, Path, Problem, State
 from rotsolve.paths.meaning import NotYet, path_text
-from rotsolve.solution import AnswerView, Solution
+from rotsolve.solution import Solution
+from rotsolve.solution.answer import AnswerView
 
 TRIED = 6  # lines without which a scene is looked at: each is a scene to be solved
 ALIKE = 1e-9  # of two numbers that are the same, beside their size

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
@@ -16,6 +15,7 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.units.dimension import base_unit_text
+from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.apart import each_where_answered, those_in_time
 from rotsolve.core.derivation import Check, Derivation
 from rotsolve.core.equation import FAMILIES
@@ -36,10 +36,10 @@ from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.hereafter import changes_at_last, with_hereafter
 from rotsolve.profile import stage
-from rotsolve.scene.read import read_source, read_text
+from rotsolve.scene.read import Source, read_source, read_text
 from rotsolve.search.answering import Unanswered
 from rotsolve.search.answers import unsolvable
-from rotsolve.solution import Solution
+from rotsolve.solution import Resolved, Solution
 from rotsolve.solving import solved
 
 if TYPE_CHECKING:
@@ -56,16 +56,18 @@ TRIAL_STEPS = STEPS // 10  # of work for one that is only tried, for a word of h
 
 
 def solve(
-    source: str | os.PathLike[str],
+    source: Source,
     *,
     law: str | None = None,
-    settings: Mapping[str, str] | None = None,
+    settings: Mapping[str, object] | None = None,
     digits: int = DIGITS,
     at: str | None = None,
     confirm: bool = True,
 ) -> Solution:
-    """Solve a scene: a path, or YAML text (text with a line break); functions of time are evaluated `at` a time such as "2 s".
+    """Solve a scene: a path, YAML text (text with a line break), or a dict of its sections.
 
+    `settings` replace values of givens, `{"m": "2 kg"}`; numbers are understood where the scene declares a unit of SI. Functions of time
+    are evaluated `at` a time such as "2 s".
     A question without an answer takes no other with it: its reason is in `refused` of the solution. With `confirm` an assembly of all
     bodies' equations is held against the answers, and what it contradicts is refused. Raises SceneError for a scene that can't be read,
     Unsolvable for one in which nothing has an answer.
@@ -84,8 +86,43 @@ def solve_problem(
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
     solution = refused_fairly(problem, law, digits, at)
-    if not confirm:
-        return solution
+    again = partial(solve_problem, problem, law=law, digits=digits, at=at, confirm=confirm)
+    trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
+    solution = replace(solution, trace=trace)
+    return held_against_assembly(solution, problem) if confirm else solution
+
+
+def solved_anew(
+    problem: Problem, law: str | None, digits: int, at: str | None, settings: Mapping[str, str], moment: str | None
+) -> Resolved:
+    """A problem solved with other values of its givens, and at another moment where one is told."""
+    with witnessed() as witness:
+        try:
+            own = with_other_values(problem, settings)
+            found, why = refused_fairly(own, law, digits, moment or at), ""
+        except (SceneError, Unsolvable) as error:
+            found, why = None, error.message
+        except ArithmeticError as error:
+            found, why = None, f"it can't be worked out with these numbers: {error}"
+    try:
+        found = None if found is None else held_against_assembly(found, own)
+    except Unsolvable as error:
+        found, why = None, error.message
+    return Resolved(found, why, tuple(witness.asked), witness.by_size)
+
+
+def with_other_values(problem: Problem, settings: Mapping[str, str]) -> Problem:
+    """The problem read once more with values of its givens, and with those of letters that the reader made put in."""
+    made = {given.name for given in problem.givens if given.automatic}
+    told = {name: text for name, text in settings.items() if name not in made}
+    own = read_text("\n".join(problem.lines), problem.file, {**dict(problem.settings), **told})
+    values = {name: parse_quantity(text).value for name, text in settings.items() if name in made}
+    givens = [replace(item, value=values[item.name]) if item.name in values else item for item in own.givens]
+    return replace(own, givens=tuple(givens)) if values else own
+
+
+def held_against_assembly(solution: Solution, problem: Problem) -> Solution:
+    """The solution without what an assembly of all bodies' equations contradicts; Unsolvable where nothing is left."""
     with stage("confirm", whole=True):
         told = {answer.name for answer in solution.derivation.answers}  # some may have been left out since
         found = () if solution.trace.confirmation is None else solution.trace.confirmation()
@@ -183,7 +220,35 @@ def fair_refusal(
     law: str | None,
     followed: Callable[[], FollowedCourses] | None = None,
 ) -> Fault:
-    """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved."""
+    """A refusal of some questions as it is, or, where it falsely blames the scene's data, what is not solved; with what nothing holds."""
+    return beside_unheld(fairly_blamed(fault, names, problem, law, followed), problem)
+
+
+def beside_unheld(fault: Fault, problem: Problem) -> Fault:
+    """A refusal with the bodies that nothing holds, of which it may come; what is not solved is no fault of the scene."""
+    from rotsolve.motion.unheld import unheld, what_would_hold
+
+    if fault.help and fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
+        return fault
+    names: tuple[str, ...] = ()
+    with suppress(Unsolvable):  # what can't be arranged has a fault of its own
+        names = () if fault.kind == UNSOLVED or problem.space else unheld(configured(problem))
+    if not names:
+        return fault
+    shown = ", ".join(f"`{name}`" for name in names)
+    how = " and ".join(f"`{item}`" for item in what_would_hold(names, problem))
+    it = "it is" if len(names) == 1 else "they are"
+    return replace(fault, help=f"nothing holds {shown}: {it} free to fall; hold it by a connection, as {how}")
+
+
+def fairly_blamed(
+    fault: Fault,
+    names: Sequence[str],
+    problem: Problem,
+    law: str | None,
+    followed: Callable[[], FollowedCourses] | None,
+) -> Fault:
+    """A refusal as it is, or what is not solved where it blames the data falsely, or which of them do not go with the rest."""
     if fault.kind not in (INCOMPLETE, CONTRADICTORY, UNREACHED):
         return fault
     if not (problem.space and fault.kind == UNREACHED):  # its assembly looks at states, not at the way to them
@@ -266,9 +331,6 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
         solution = solved(problem, configuration, law, digits, at)
         refuse_idle([solution], problem)
 
-    def case(values: Mapping[str, Formula]) -> tuple[Solution, Mapping[Formula, int]]:
-        return case_of(problem, values, law, digits, at)
-
     def confirmation() -> tuple[AnswerConfirmation, ...]:
         from rotsolve.confirm.verdicts import confirmations
 
@@ -283,7 +345,7 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
             trace.others,
         )
 
-    return replace(solution, trace=replace(solution.trace, case=case, confirmation=confirmation))
+    return replace(solution, trace=replace(solution.trace, confirmation=confirmation))
 
 
 def limits_of(configuration: Configuration) -> Iterator[Limit]:
@@ -304,22 +366,6 @@ def made_ready(problem: Problem) -> tuple[Configuration, Configuration]:
     if changes_at_last(whole):
         whole = configured(with_hereafter(problem))
     return whole, block_of(whole)
-
-
-def case_of(
-    problem: Problem, values: Mapping[str, Formula], law: str | None, digits: int, at: str | None
-) -> tuple[Solution, Mapping[Formula, int]]:
-    """The solution in letters for some givens in the case that their values are of, and the signs that it took."""
-    from rotsolve.search.letterspace import any_point, at_point, numbers_of, open_letters
-
-    freed = tuple([replace(item, value=None) if item.name in values else item for item in problem.givens])
-    configuration = asked_part(replace(problem, givens=freed))
-    own = configuration.problem
-    point = {**numbers_of(any_point(open_letters(own))), **values}
-    with witnessed() as witness:
-        solution = solved(problem, Configuration(at_point(own, point)), law, digits, at)
-    needed = {value: sign for value, (sign, _) in witness.needed.items()}
-    return solution, {**witness.supposed, **needed}
 
 
 def solved_by_cases(
@@ -431,7 +477,7 @@ def may_be(problem: Problem, configuration: Configuration, numbers: Mapping[str,
         if item.name in numbers  # that of a letter which a question seeks is its answer
     }
     try:
-        read_text("\n".join(problem.lines), problem.file, settings)
+        read_text("\n".join(problem.lines), problem.file, {**dict(problem.settings), **settings})
     except SceneError:
         return False
     return True

@@ -29,6 +29,7 @@ from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.consistency import KnownBalls, contradiction, just_stops, turned_back, untimely
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search, asked_letter
+from rotsolve.search.uncovered import why_uncovered
 from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
@@ -382,9 +383,9 @@ def check_consistent(search: Search) -> KnownBalls:
         raise turns_back(back, search.scene.configuration.problem)
     broken, balls = contradiction(search)
     if broken is not None:
-        from rotsolve.search.explain import contradicted
+        from rotsolve.search.explain import contradicted, with_way
 
-        raise contradicted(broken, search.scene)
+        raise with_way(contradicted(broken, search.scene), search)
     if search.scene.encounters:
         from rotsolve.derivation.requirements import let_go
 
@@ -445,6 +446,7 @@ def check_law(search: Search, law: str) -> None:
     problem = search.scene.configuration.problem
     if used - {""} and law not in used:
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
-        message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here"
+        reason = why_uncovered(law, problem.finds[0], search.scene) if others else ""
+        message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here{reason}"
         why = "".join(f"; {reason}" for reason in search.scene.not_restated[:1])
         raise unsolvable(problem, message, None, f"it takes {others or 'none of the laws: leave `--law` out'}{why}")

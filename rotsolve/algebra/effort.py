@@ -50,10 +50,11 @@ class Allowance:
         self.steps = steps
 
     @contextmanager
-    def used(self) -> Iterator[None]:
-        """No more than what is left of them within."""
-        with at_most(self.steps):
+    def used(self, parts: int = 1) -> Iterator[None]:
+        """No more than what is left of them within, or one of so many equal parts of it."""
+        lent = self.steps // parts
+        with at_most(lent):
             try:
                 yield
             finally:
-                self.steps = max(Purse.left or 0, 0)
+                self.steps -= lent - max(Purse.left or 0, 0)

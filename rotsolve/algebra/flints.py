@@ -6,6 +6,7 @@ in while the submodules load, and is taken away again, so that a later `import f
 
 from __future__ import annotations
 
+import copyreg
 import importlib
 import importlib.util
 import sys
@@ -37,6 +38,22 @@ fmpq = _fmpq.fmpq
 arb = _arb.arb
 fmpz_mpoly = _mpoly.fmpz_mpoly
 fmpz_mpoly_ctx = _mpoly.fmpz_mpoly_ctx
+
+
+def ball_parts(ball: Any) -> tuple[Any, ...]:
+    """How pickling keeps a ball: its middle and its radius, each m·2^e exactly; what is not finite by its text."""
+    if not ball.is_finite():
+        return arb, (ball.str(radius=False),)
+    middle, radius = ([int(part) for part in point.man_exp()] for point in (ball.mid(), ball.rad()))
+    return exact_ball, (*middle, *radius)
+
+
+def exact_ball(middle: int, exponent: int, radius: int, power: int) -> Any:
+    """The ball of m·2^e with a radius of r·2^p, whatever the working precision is."""
+    return arb((middle, exponent), (radius, power))
+
+
+copyreg.pickle(arb, ball_parts)
 
 
 def __getattr__(name: str) -> Any:

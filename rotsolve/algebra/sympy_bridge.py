@@ -37,15 +37,18 @@ _WORDS = {name: word for word, name in _NAMES.items()}
 _LONGER = {("elliptic_pi", 3): "ellippiinc"}  # what has the name of another one with fewer arguments
 
 
-def to_sympy(f: Formula, positive: Collection[str] = ()) -> Any:
-    """The formula as a SymPy expression: symbols real, those in `positive` positive."""
+def to_sympy(f: Formula, positive: Collection[str] = (), *, plain: bool = False) -> Any:
+    """The formula as a SymPy expression: symbols real, those in `positive` positive; `plain` ones as `sympy.Symbol("m")` makes them."""
     import sympy
+
+    def symbol(name: str) -> Any:
+        return sympy.Symbol(name) if plain else _symbol(name, positive)
 
     def convert(node: Formula) -> Any:
         if isinstance(node, Number):
             return sympy.Rational(node.value.numerator, node.value.denominator)
         if isinstance(node, Symbol):
-            return _symbol(node.name, positive)
+            return symbol(node.name)
         if isinstance(node, Constant):
             return sympy.pi
         parts = [convert(child) for child in node.children()]
@@ -64,7 +67,7 @@ def to_sympy(f: Formula, positive: Collection[str] = ()) -> Any:
             name = _NAMES.get(name, name)
             return getattr(sympy, name, sympy.Function(name))(*parts)  # it has no sn, cn and dn
         if isinstance(node, Integral):
-            return sympy.Integral(parts[0], (_symbol(node.variable, positive), parts[1], parts[2]))
+            return sympy.Integral(parts[0], (symbol(node.variable), parts[1], parts[2]))
         raise ValueError(f"not convertible: {node!r}")
 
     return convert(f)

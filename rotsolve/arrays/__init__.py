@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import reduce
+from operator import and_
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
@@ -11,16 +13,36 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.algebra.tape import BITS, Operation, Tape
+from rotsolve.core.faults import RotsolveError
 from rotsolve.core.symbols import TIME
 
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
-    from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Given
 
 
-class NotForMany(ValueError):
+class NotForMany(RotsolveError, ValueError):
     """Answers that are not to be had for other givens without solving the scene again; says why in words."""
+
+
+class ManyAnswers(dict[str, Any]):
+    """Arrays by the names of the answers, NaN where a set has no number; `reasons` says why, '' where there is one.
+
+    A choice has words, '' where it has none. `units` are those of the arrays. It is a dict, of which `pandas.DataFrame(…)` makes a table.
+    """
+
+    def __init__(self, found: Mapping[str, Any], reasons: Mapping[str, Any], units: Mapping[str, str]) -> None:
+        super().__init__(found)
+        self.reasons = dict(reasons)
+        self.units = dict(units)
+
+    @property
+    def valid(self) -> Any:
+        """Which sets have all their answers."""
+        return reduce(and_, [reasons == "" for reasons in self.reasons.values()])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self), self.reasons, self.units)
 
 
 class Program(Struct, frozen=True):
@@ -47,23 +69,6 @@ def program(formulas: Iterable[Formula], inputs: Iterable[str], known: Mapping[s
     with Precision(BITS):
         results = [place(formula) for formula in formulas]
     return Program(tape.operations, results)
-
-
-def evaluate_many(
-    answers: tuple[Answer, ...], givens: tuple[Given, ...], valid: Validity, values: Mapping[str, Any], certified: bool
-) -> dict[str, Any]:
-    """The answers by name, in their units; arrays of values with arrays of errors where `certified`."""
-    try:
-        from rotsolve.arrays.balls import ball_results
-        from rotsolve.arrays.floats import float_results
-    except ModuleNotFoundError:
-        raise NotForMany("arrays take NumPy: pip install 'rotsolve[arrays]'") from None
-    known = checked(givens, valid.positive, values)
-    forms = {name: in_its_unit(answer) for name, answer in single_answers(answers)}
-    bounds = [*valid.bounds, *valid.sides, *(limit for limit in valid.limits if limit.symbols() <= values.keys())]
-    work = program([*forms.values(), *bounds], values, known)
-    found = (ball_results if certified else float_results)(work, values, len(bounds))
-    return dict(zip(forms, found, strict=True))
 
 
 def single_answers(answers: Iterable[Answer]) -> Iterator[tuple[str, Answer]]:

@@ -1,84 +1,188 @@
-"""Cases of arrays: many sets of givens, each answered in its own case, which is solved in letters at the first set that is of it."""
+"""Cases of arrays: one set of givens is solved, and other sets get the same where each number that was asked for has the same sign.
+
+So a set gets a number only where solving the scene for it gives that too, and else the reason that solving it gives.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Collection, Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from msgspec import Struct
 
-from rotsolve.algebra.formula import ONE, Formula, Number
-from rotsolve.algebra.units.dimension import is_positive
-from rotsolve.arrays import NotForMany, checked, in_its_unit, program, single_answers
-from rotsolve.arrays.balls import ball_results
+from rotsolve.algebra.certified.ball import Certified, multiple_of
+from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import ONE, Formula, Integral, Number
+from rotsolve.arrays import NotForMany, program, single_answers
+from rotsolve.arrays.balls import ball_results, nearest_double
 from rotsolve.arrays.floats import float_results
-from rotsolve.core.faults import Fault, SceneError, Unsolvable
-from rotsolve.core.symbols import TIME
+from rotsolve.core.derivation import Answer
+from rotsolve.page.text import plain_text
 
 if TYPE_CHECKING:
-    from rotsolve.derivation.requirements import Validity
-    from rotsolve.language.problem import Given
-    from rotsolve.solution import Solution
+    from rotsolve.algebra.units.unit_table import Unit
+    from rotsolve.solution import Resolved, Solution
 
-MOST = 20  # cases that are solved; sets beyond have no numbers
-Solving = Callable[[Mapping[str, Formula]], "tuple[Solution, Mapping[Formula, int]]"]
+UNSURE = 1000  # signs that floats do not tell, which are worked out one by one
+SHIFT, FAR = (
+    1e-11,
+    0.5,
+)  # by what inputs are shifted to see whether a sign is sure, and the part of a number that may change then
+ALIKE, NOTHING = 1e-7, 1e-12  # floats may lose half of their digits
+Row = dict[str, float]
+Resolving = Callable[[Row], "Resolved"]
 
 
-def evaluate_by_cases(
-    solve: Solving, givens: tuple[Given, ...], valid: Validity, values: Mapping[str, Any], certified: bool
-) -> dict[str, Any]:
-    """The answers by name, in their units, as `evaluate_many` gives them; NaN for sets without an answer."""
-    known = checked(givens, [given.name for given in givens if is_positive(given.dimension)], values)
-    inputs = {name: np.asarray(column, dtype=np.float64) for name, column in values.items()}
-    shape = np.broadcast_shapes(*(item.shape for item in inputs.values()))
-    columns = {name: np.broadcast_to(item, shape).reshape(-1) for name, item in inputs.items()}
-    limits = [limit for limit in valid.limits if limit.symbols() <= values.keys()]
-    left, found, reason = within(limits, columns, known), dict[str, list[Any]](), ""
-    for _ in range(MOST):
-        if not left.any():
-            break
-        first = int(np.argmax(left))
-        own = {name: repr(float(column[first])) for name, column in columns.items() if name != TIME}
-        point = {name: Number(Fraction(text)) for name, text in own.items()}  # 0.6 as it is typed: 0.6² + 0.8² = 1
-        try:
-            solution, signs = solve(point)
-        except (Unsolvable, SceneError) as error:
-            left[first], reason = False, reason or f": {first_fault(error).message}"
+class GivenSets(Struct):
+    """The values of some givens set by set, those of the others, and the letters that have none."""
+
+    size: int
+    columns: dict[str, Any]
+    known: dict[str, Formula]
+    open: Collection[str] = ()
+
+    def row(self, place: int) -> Row:
+        return {name: float(column[place]) for name, column in self.columns.items()}
+
+    def part(self, rows: Any) -> dict[str, Any]:
+        return {name: column[rows] for name, column in self.columns.items()}
+
+    def values(self, place: int) -> dict[str, Formula]:
+        """The values of all givens in one set: 0.6 as it is typed, so that 0.6² + 0.8² = 1."""
+        own = {name: Number(Fraction(repr(size))) for name, size in self.row(place).items()}
+        return {**self.known, **own}
+
+    def only(self, place: int) -> Any:
+        """The set at a place alone."""
+        rows = np.zeros(self.size, dtype=bool)
+        rows[place] = True
+        return rows
+
+
+class SetCase(Struct):
+    """What one set of givens got, in SI units: numbers or words and their closed forms, else `reasons`, by the answers' names.
+
+    Where the whole set has no answer `why` says why. Where it is `general`, sets with the same `signs` get the same. `at` tells the set.
+    """
+
+    at: str
+    why: str
+    signs: dict[Formula, int | None]
+    general: bool
+    numbers: dict[str, Certified | str] = {}
+    forms: dict[str, Formula] = {}
+    units: dict[str, Unit | None] = {}
+    reasons: dict[str, str] = {}
+    solution: Solution | None = None
+
+    def reason(self, name: str) -> str:
+        """Why an answer of the set that was solved has no number; '' where it has one."""
+        return "" if name in self.numbers else self.why or self.reasons.get(name, "these numbers have no such answer")
+
+
+def case_of_set(solve: Resolving, given: GivenSets, place: int, limits: Iterable[Formula]) -> SetCase:
+    """The scene solved for one set, with the signs on which it hangs what that gives."""
+    found = solve(given.row(place))
+    letters = given.known.keys() | given.columns.keys()
+    oracle = SignOracle(given.values(place))
+    asked = [item for item in dict.fromkeys((*found.asked, *limits)) if not item.symbols().isdisjoint(given.columns)]
+    signs = {item: oracle.by_numbers(item) for item in asked if item.symbols() <= letters}
+    told = not found.by_size and all(item.symbols().isdisjoint(given.open) for item in found.asked)
+    at = ", ".join(f"{name} = {size:.4g}" for name, size in given.row(place).items())
+    case = SetCase(at, found.why, signs, told, solution=found.solution)
+    if found.solution is None:
+        return case
+    derivation = found.solution.derivation
+    case.why = "; ".join(plain_text(check.words) for check in derivation.checks if check.holds is False)
+    case.reasons.update({item.name: item.fault.message for item in derivation.refused})
+    if not case.why:
+        for name, answer in single_answers(derivation.answers):
+            enter(case, name, answer, letters)
+    return case
+
+
+def enter(case: SetCase, name: str, answer: Answer, letters: Collection[str]) -> None:
+    """Enter an answer, with its closed form where that is one in the givens."""
+    closed = answer.closed if answer.closed is not None and answer.closed.symbols() <= set(letters) else None
+    case.units[name] = answer.unit
+    if answer.word:
+        case.numbers[name] = answer.word
+    elif answer.value is None:
+        missing = sorted(answer.closed.symbols() - set(letters)) if answer.closed is not None else ()
+        case.reasons[name] = f"`{missing[0]}` has no value" if missing else "it has no value for these numbers"
+    else:
+        case.numbers[name] = answer.value if answer.unit is None else multiple_of(answer.value, answer.unit.factor)
+        if closed is None or answer.conditions or closed.holds(Integral):
+            case.general = False
+        else:
+            case.forms[name] = closed
+
+
+def sets_like(case: SetCase, given: GivenSets, rows: Any) -> Any:
+    """Which sets among some have the signs on which a case hangs."""
+    signs = {item: sign for item, sign in case.signs.items() if not (sign == 0 and nothing_whatever(item))}
+    columns, places = given.part(rows), np.flatnonzero(rows)
+    found, unsure = np.ones(len(places), dtype=bool), UNSURE if signs else 0
+    for (item, sign), values, others in zip(signs.items(), *read_signs(signs, columns, given.known), strict=True):
+        finite = np.isfinite(values)
+        with np.errstate(invalid="ignore"):
+            sure = np.where(finite, np.abs(others - values) <= FAR * np.abs(values), ~np.isfinite(others))
+        here = ~finite if sign is None else finite & (np.sign(values) == sign)
+        for number in np.flatnonzero(found & ~sure)[:unsure]:
+            here[number] = SignOracle(given.values(int(places[number]))).by_numbers(item) == sign
+            sure[number], unsure = True, unsure - 1
+        found &= here & sure
+    whole = np.zeros(given.size, dtype=bool)
+    whole[places[found]] = True
+    return whole
+
+
+def read_signs(signs: Collection[Formula], columns: Mapping[str, Any], known: Mapping[str, Formula]) -> tuple[Any, Any]:
+    """Formulas set by set, as they are and with inputs shifted by a little."""
+    shifted = {name: column * (1 + SHIFT * (1 + number)) for number, (name, column) in enumerate(columns.items())}
+    work = program(signs, columns, known)
+    return float_results(work, columns, 0), float_results(work, shifted, 0)
+
+
+def nothing_whatever(item: Formula) -> bool:
+    """Whether a formula is nothing whatever its letters are."""
+    try:
+        return is_zero(item)
+    except ZeroDivisionError:
+        return False
+
+
+def form_numbers(form: Formula, given: GivenSets, rows: Any, certified: bool) -> tuple[Any, ...]:
+    """The numbers of a formula for some sets; with bounds on their errors where `certified`."""
+    columns = given.part(rows)
+    work = program([form], columns, given.known)
+    if certified:
+        return ball_results(work, columns, 0)[0]
+    try:
+        return (float_results(work, columns, 0)[0],)
+    except NotForMany:  # functions that NumPy does not have
+        return ball_results(work, columns, 0)[0][:1]
+
+
+def number_in_unit_of(number: Certified, unit: Unit | None) -> tuple[float, float]:
+    """The number of a set that was solved, in a unit, with a bound on its error."""
+    return nearest_double((number if unit is None else multiple_of(number, ONE / unit.factor)).ball)
+
+
+def says_the_same(case: SetCase, other: SetCase, given: GivenSets, place: int) -> bool:
+    """Whether a set that was solved by itself got what a case says of it."""
+    if case.numbers.keys() != other.numbers.keys():
+        return False
+    for name, number in other.numbers.items():
+        if isinstance(number, str) or name not in case.forms:
+            if number != case.numbers[name]:
+                return False
             continue
-        here = np.zeros_like(left)
-        here[left] = within(sides_of(signs), {name: column[left] for name, column in columns.items()}, known)
-        here[first] = True
-        left &= ~here
-        if any(check.holds is False for check in solution.derivation.checks):
-            continue
-        chosen = {name: column[here] for name, column in columns.items()}
-        forms = {name: in_its_unit(answer) for name, answer in single_answers(solution.derivation.answers)}
-        work = program(forms.values(), chosen, known)
-        results = ball_results(work, chosen, 0) if certified else float_results(work, chosen, 0)
-        for name, result in zip(forms, results, strict=True):
-            parts = result if certified else (result,)
-            whole = found.setdefault(name, [np.full(left.shape, np.nan) for _ in parts])
-            for all_sets, part in zip(whole, parts, strict=True):
-                all_sets[here] = part
-    if not found:
-        raise NotForMany(f"none of the sets has an answer{reason}")
-    told = {name: tuple(part.reshape(shape) for part in parts) for name, parts in found.items()}
-    return told if certified else {name: parts[0] for name, parts in told.items()}
-
-
-def first_fault(error: Unsolvable | SceneError) -> Fault:
-    return error.fault if isinstance(error, Unsolvable) else error.faults[0]
-
-
-def sides_of(signs: Mapping[Formula, int]) -> list[Formula]:
-    """What must not be negative for formulas to have signs."""
-    sides = {1: (ONE,), -1: (-ONE,), 0: (ONE, -ONE)}
-    return [value * side for value, sign in signs.items() for side in sides[sign]]
-
-
-def within(sides: Sequence[Formula], columns: Mapping[str, Any], known: Mapping[str, Formula]) -> Any:
-    """For which sets no side is negative."""
-    work = program([ONE, *sides], columns, known)
-    (result,) = float_results(work, columns, len(sides))
-    return np.broadcast_to(np.isfinite(result), next(iter(columns.values())).shape).copy()
+        value = float(form_numbers(case.forms[name], given, given.only(place), False)[0][0])
+        if not math.isclose(value, number.float, rel_tol=ALIKE, abs_tol=NOTHING):
+            return False
+    return True

@@ -12,6 +12,8 @@ from rotsolve import __version__
 from rotsolve.cli.check import check_command
 from rotsolve.cli.draw import draw_command
 from rotsolve.cli.key import key_command
+from rotsolve.cli.lsp import lsp_command
+from rotsolve.cli.new import new_command
 from rotsolve.cli.simulate import simulate_command
 from rotsolve.cli.solve import solve_command
 from rotsolve.process import USAGE, leave_after, orderly
@@ -41,6 +43,7 @@ def rotsolve(
 
     \b
     Examples:
+      rotsolve new pulley
       rotsolve solve problems/pulleys/block-on-disc.yaml
       rotsolve solve problems/pulleys/block-on-disc.yaml --law energy --set m=3kg
       rotsolve draw problems/pulleys/block-on-disc.yaml -o picture.svg
@@ -95,13 +98,14 @@ def schema_command() -> None:
     """
     import json
 
-    from rotsolve.scene.reference import json_schema
+    from rotsolve.scene.schema import json_schema
 
     with orderly():
         print(json.dumps(json_schema(), indent=2, ensure_ascii=False))
 
 
 COMMANDS: dict[str, Callable[..., None]] = {  # in the order in which --help lists them
+    "new": new_command,
     "solve": solve_command,
     "draw": draw_command,
     "simulate": simulate_command,
@@ -109,6 +113,7 @@ COMMANDS: dict[str, Callable[..., None]] = {  # in the order in which --help lis
     "check": check_command,
     "elements": elements_command,
     "schema": schema_command,
+    "lsp": lsp_command,
 }
 
 for name, command in COMMANDS.items():

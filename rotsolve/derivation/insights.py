@@ -27,6 +27,7 @@ from rotsolve.core.writing import and_joined, spoken
 from rotsolve.derivation.behind import behind
 from rotsolve.derivation.second_ways import SecondWay, called
 from rotsolve.language.problem import Path
+from rotsolve.motion.unheld import unheld
 from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
@@ -52,6 +53,8 @@ def insights(search: Search, alone: Iterable[tuple[BodyFacts, Force]], way: Seco
     them. What has a second `way` needs none about the point of contact."""
     told = told_in_letters(search)
     lawful = [item for item in told if any(law.family for law in behind(item, search))]
+    for name in unheld(search.scene.configuration) if lawful else ():
+        yield (f"nothing holds {spoken(name)}: it is free to fall",)
     yield from cancelled(lawful, search)
     yield from growing(lawful, search)
     yield from beside_free_fall(lawful, search)

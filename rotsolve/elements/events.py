@@ -210,7 +210,7 @@ class Grips(Event, frozen=True):
         "an unknown impulse stops a point: `impulse: J, on: BODY.P, direction: [p, q, 1]` with `J`, `p` and `q` unknown under `given`,"
         " and `BODY.P.velocity: [0, 0, 0]` in the state after it; `fixes: BODY.P` holds it from then on"
     )
-    grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
+    grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None, example="base")
 
     def told(self) -> Words:
         return (f"no slip at {spoken(self.grips or '')} from then on",)

@@ -15,7 +15,7 @@ from rotsolve.language.keys import amount, key
 def key_of_bearer() -> Any:
     """The key of a surface that is a side of a body, and goes with it."""
     help = "the body of which it is a side, and with which it goes; without it, it is fixed"
-    return key("name", help, default=None, refers=("body",), plane=True)
+    return key("name", help, default=None, refers=("body",), plane=True, example="block")
 
 
 class Level(Surface, frozen=True):
@@ -33,7 +33,7 @@ class Slope(Surface, frozen=True):
     slanted = True
     away = "perpendicular to the slope"
     about = "a plane at an angle to the level, falling towards `down`"
-    slope: Formula | None = amount("angle to the level", "angle", "theta", "acute", required=True, example="beta")
+    slope: Formula | None = amount("angle to the level", "angle", "theta", "acute", required=True, example="30 deg")
     down: str = key("choice", "the side to which it falls", choices=("left", "right"), default="right")
     of: str | None = key_of_bearer()
 
@@ -128,7 +128,7 @@ class Corner(Curved, frozen=True):
     held_at = "corner"
     about = "an edge at a height above the floor, which a wheel climbs or rolls off: `step: {corner: h, side: right}`"
     corner: Formula | None = amount(
-        "height of the edge above the floor", "length", "h", "positive", required=True, example="h"
+        "height of the edge above the floor", "length", "h", "positive", required=True, example="10 cm"
     )
     side: str = key("choice", "the side of the wheel on which it is", choices=("left", "right"), default="right")
 

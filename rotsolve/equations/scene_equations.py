@@ -129,6 +129,13 @@ class SceneEquations(Struct, dict=True):
         other._facts.update((key, facts) for key, facts in self._facts.items() if key[0] in same)
         return other
 
+    def rewritten_by(self, configuration: Configuration) -> SceneEquations:
+        """The same scene with its equations altered as a configuration says, whose facts are the same: it shares all moments."""
+        other = SceneEquations(configuration, self.modes, self.registry, self.stated, self.told, _moments=self._moments)
+        other._instants.update(self._instants)
+        other._facts.update(self._facts)
+        return other
+
     def modes_at(self, state: str) -> tuple[tuple[str, str], ...]:
         """How what rubs at a state moves there, as far as it does not stick."""
         start = self.configuration.phase_start(state)

@@ -106,9 +106,18 @@ RATES = ("velocity", "angular_velocity")
 
 
 def carry_over(state: State, fixed: Fixed) -> None:
-    """What an event before a state leaves as it was."""
+    """What an event before a state leaves as it was; after a phase how that stands which does not turn."""
     before = fixed.configuration.timeline.before(state.name)
-    if before is None or before.event is None:
+    if before is None:
+        return
+    if before.event is None:
+        first, between, fresh = (
+            fixed.instant(before.start), fixed.instant(before.start, generic=True), fixed.instant(state.name)
+        )  # fmt: skip
+        for body in fixed.configuration.present(state.name):
+            if first.never_turns(body.name) and fresh.never_turns(body.name):
+                keep_angle(body.name, first, between, fixed)
+                keep_angle(body.name, first, fresh, fixed)
         return
     last, fresh = fixed.instant(before.start), fixed.instant(state.name)
     said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}

@@ -85,6 +85,7 @@ class Surroundings(Protocol):
     def host(self, name: str, state: str) -> str: ...
     def component(self, name: str, state: str) -> frozenset[str]: ...
     def pivot(self, name: str, state: str) -> PointRef | None: ...
+    def pinned(self, name: str, state: str) -> bool: ...
     def line(self, name: str, state: str) -> tuple[Heading, str] | None: ...
     def mover(self, name: str, state: str) -> str: ...
     def drives(self, name: str, state: str) -> tuple[Drive, ...]: ...
@@ -200,15 +201,14 @@ class ActingElement(Element, frozen=True):
 
 
 ALL_THE_TIME = "what acts does so in all states: begin another scene where it begins or ends, with how all moves then"
+SPAN_OF_ACTION: dict[str, Any] = {"refers": ("state",), "plane": True, "instead": ALL_THE_TIME}
 
 
 class Action(ActingElement, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
-    from_: str | None = key("name", "the state at which it begins", refers=("state",), plane=True, instead=ALL_THE_TIME)
-    to: str | None = key(
-        "name", "the state at which it ends", default=None, refers=("state",), plane=True, instead=ALL_THE_TIME
-    )
+    from_: str | None = key("name", "the state at which it begins", example="start", **SPAN_OF_ACTION)
+    to: str | None = key("name", "the state at which it ends", example="end", **SPAN_OF_ACTION)
 
     def touches(self) -> tuple[PointRef, ...]:
         """The point on which it acts."""
@@ -463,8 +463,8 @@ class Event(Element, frozen=True):
     heats: ClassVar[bool] = False  # whether the energy that its bodies lose in it becomes heat
     lets_fly: ClassVar[bool] = False  # whether what lay on what it takes away is led along no line from then on
     name: str = ""
-    from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
-    to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
+    from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True, example="start")
+    to: str | None = key("name", "the state after", default=None, refers=("state",), required=True, example="end")
 
     def check(self, scene: Surroundings) -> None:
         """Refuses by name what the scene can't mean: raises Unsolvable."""

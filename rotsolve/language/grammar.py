@@ -9,11 +9,15 @@ TURNS = ("clockwise", "counterclockwise")
 LATER = {"later": True}
 
 SECTIONS: dict[str, Key] = {
-    "title": Key("text", "what the scene is, in one line"),
-    "source": Key("text", "where the problem comes from"),
-    "text": Key("text", "the statement, for answer keys; `{m}` prints a given as m = 2 kg, `{value of m}` as 2 kg"),
+    "title": Key("text", "what the scene is, in one line", example="Block on a slope"),
+    "source": Key("text", "where the problem comes from", example="Homework 3, problem 2"),
+    "text": Key(
+        "text",
+        "the statement, for answer keys; `{m}` prints a given as m = 2 kg, `{value of m}` as 2 kg",
+        example="A block of mass {m} slides down.",
+    ),
     "given": Key("map", "letters with values (`m: 2 kg`), dimensions (`m: kg`), formulas (`L: 2*R`) or `unknown`"),
-    "unknown": Key("names", "letters that are asked for, beside those given as `unknown`"),
+    "unknown": Key("names", "letters that are asked for, beside those given as `unknown`", example="[m]"),
     "gravity": Key(
         "gravity",
         "a value, a given, or `none`; 9.8 m/s^2 down when nothing is said; in space `{size: g, in: earth}` turns with a body",
@@ -33,6 +37,7 @@ SECTIONS: dict[str, Key] = {
         "texts",
         "approximations: `fast spin` (in space): the spin of a top is much faster than its precession; in the plane `m << M`: "
         "the leading term is told beside each answer",
+        example="[fast spin]",
     ),
     "find": Key("map", "what is asked", required=True),
     "ask": Key(
@@ -55,6 +60,7 @@ BODY: dict[str, Key] = {
         "mass per length, area or volume: a value, or a formula of the shape's coordinates "
         "(x of a rod from its start, r of a disc, those of a lamina)",
         letter="rho",
+        example="2 kg/m",
     ),
     "inertia": Key(
         "inertia",
@@ -66,23 +72,44 @@ BODY: dict[str, Key] = {
     ),
     "gyration": Key("quantity", "radius of gyration about `cm`", dimension="length", letter="k", limits="positive"),
     "radius": Key("quantity", "radius", dimension="length", letter="R", limits="positive"),
-    "radii": Key("radii", "named rims of a stepped drum: `{big: R, small: r}`"),
-    "parts": Key("parts", "bodies that make up this one"),
-    "holes": Key("parts", "what is cut out"),
-    "points": Key("points map", "named points `P: [x, y]` (or `[x, y, z]`) from the body's centre"),
-    "count": Key("count", "how many identical bodies stand for this one"),
+    "radii": Key("radii", "named rims of a stepped drum", example="{big: 30 cm, small: 10 cm}"),
+    "parts": Key("parts", "bodies that make up this one", example="{tip: {mass: 1 kg, at: [50 cm, 0]}}"),
+    "holes": Key("parts", "what is cut out", example="{hole: {shape: disc, radius: 2 cm}}"),
+    "points": Key(
+        "points map", "named points `P: [x, y]` (or `[x, y, z]`) from the body's centre", example="{P: [10 cm, 0]}"
+    ),
+    "count": Key("count", "how many identical bodies stand for this one", example="2"),
     "moves": Key("choice", "positive direction of its motion (default right; up on a slope)", choices=SENSES),
     "turns": Key("choice", "positive sense of its rotation (default counterclockwise)", choices=TURNS),
     "axis": Key("axis", "symmetry axis: one of the body's own axes, `x`, `y` or `z`", space=True),
     "turned": Key(
-        "turns", "how it is turned from how it is drawn: `{about: x, by: 30 deg}`, or a list of such", space=True
+        "turns",
+        "how it is turned from how it is drawn: one rotation, or a list of such",
+        space=True,
+        example="{about: x, by: 30 deg}",
     ),
-    "position": Key("motion", "prescribed place of its centre of mass", dimension="length", letter="r", varies=True),
-    "velocity": Key("motion", "prescribed velocity `[vx, vy]`", dimension="velocity", letter="v", varies=True),
+    "position": Key(
+        "motion",
+        "prescribed place of its centre of mass",
+        dimension="length",
+        letter="r",
+        varies=True,
+        example="[0, 2 m]",
+    ),
+    "velocity": Key(
+        "motion", "prescribed velocity `[vx, vy]`", dimension="velocity", letter="v", varies=True, example="[2 m/s, 0]"
+    ),
     "acceleration": Key(
-        "motion", "prescribed acceleration `[ax, ay]`", dimension="acceleration", letter="a", varies=True
+        "motion",
+        "prescribed acceleration `[ax, ay]`",
+        dimension="acceleration",
+        letter="a",
+        varies=True,
+        example="[2 m/s^2, 0]",
     ),
-    "momentum": Key("motion", "given momentum `[px, py]`", dimension="momentum", letter="p", varies=True),
+    "momentum": Key(
+        "motion", "given momentum `[px, py]`", dimension="momentum", letter="p", varies=True, example="[3 kg m/s, 0]"
+    ),
     "angle": Key("motion", "prescribed angle", dimension="angle", letter="theta", varies=True),
     "angular_velocity": Key(
         "motion", "prescribed angular velocity", dimension="angular velocity", letter="omega", varies=True
@@ -93,25 +120,36 @@ BODY: dict[str, Key] = {
 }
 
 PART: dict[str, Key] = {
-    "at": Key("spot", "where its centre is, from the body's centre: `[x, y]`, or `[x, y, z]` with its height"),
-    "start": Key("place", "where a rod begins"),
-    "end": Key("place", "where a rod ends"),
+    "at": Key(
+        "spot",
+        "where its centre is, from the body's centre: `[x, y]`, or `[x, y, z]` with its height",
+        example="[10 cm, 0]",
+    ),
+    "start": Key("place", "where a rod begins", example="[0, 0]"),
+    "end": Key("place", "where a rod ends", example="[30 cm, 0]"),
     "angle": Key("quantity", "how far it is turned, counterclockwise", dimension="angle", letter="theta"),
     "turned": Key("turns", "how it is turned in the body's axes: `{about: x, by: 30 deg}`", space=True),
 }
 
+STATE: dict[str, Key] = {  # beside paths with their values, and connections with their words
+    "at rest": Key("names", "`all`, or the bodies that do not move", refers=("body",), example="all"),
+    "balance": Key("true", "statics: nothing accelerates, and all that is held or pushed is at rest"),
+    "steady": Key("true", "the motion goes on as it is: on a turning shaft, or of a body in space"),
+}
+
 PHASE: dict[str, Key] = {
-    "from": Key("name", "the state before", refers=("state",), required=True),
-    "to": Key("name", "the state after", refers=("state",), required=True),
-    "without": Key("names", "connections that do not act in it", refers=("connection", "action")),
+    "from": Key("name", "the state before", refers=("state",), required=True, example="start"),
+    "to": Key("name", "the state after", refers=("state",), required=True, example="end"),
+    "without": Key("names", "connections that do not act in it", refers=("connection", "action"), example="[cord]"),
 }
 
 MARKING: dict[str, Key] = {
-    "points": Key("marks", "marks for the answer (default 1)"),
+    "points": Key("marks", "marks for the answer (default 1)", example="2"),
     "tolerance": Key(
         "tolerance",
         "how far a number may be off: a share `2 %`, an amount `0.05 m/s^2`, or half a unit of the last of `3 figures` "
         "(default 1 %)",
+        example="2 %",
     ),
     "form": Key("choice", "whether a formula or a number is wanted (default any)", choices=("any", "exact", "number")),
     "unit": Key("choice", "whether a number needs its unit (default wanted)", choices=("wanted", "optional")),
@@ -120,7 +158,11 @@ MARKING: dict[str, Key] = {
         "of an answer that is right up to the declared positive direction (default strict: it is wrong)",
         choices=("strict", "lenient"),
     ),
-    "deduct": Key("deductions", "what flaws cost: one value for all, or a map; a share of the points, or marks"),
+    "deduct": Key(
+        "deductions",
+        "what flaws cost: one value for all, or a map; a share of the points, or marks",
+        example="{unit: 25 %, rounding: 0.5}",
+    ),
 }
 
 DEDUCT: dict[str, Key] = {

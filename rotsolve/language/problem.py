@@ -284,6 +284,7 @@ class Problem(Struct, frozen=True):
     ask: tuple[Wording, ...] = ()
     marking: tuple[Marking, ...] = ()
     vary: Variation | None = None
+    settings: tuple[tuple[str, str], ...] = ()  # values that were said in place of those of the lines
 
     @property
     def values(self) -> dict[str, Formula]:

@@ -57,11 +57,20 @@ MEANT = {  # other words for the same thing
     "blow": "impulse",
     "torque": "couple",
     "moment": "couple",
+    "body": "bodies",
+    "objects": "bodies",
+    "known": "given",
+    "data": "given",
+    "joints": "connections",
+    "links": "connections",
+    "forces": "actions",
+    "asked": "find",
+    "question": "find",
 }
 
 
-def nearest_name(word: str, names: Iterable[str]) -> str | None:
-    """The name that `word` was most likely meant to be."""
+def nearest_name(word: str, names: Iterable[str], likeness: float = 0.6) -> str | None:
+    """The name that `word` was most likely meant to be; of those that only look like it, one with so much in common at least."""
     if not word or len(word) > LONGEST:
         return None
     from difflib import get_close_matches  # only a faulty scene pays for it
@@ -72,16 +81,32 @@ def nearest_name(word: str, names: Iterable[str]) -> str | None:
         return lower[word.lower()]
     if MEANT.get(word.lower()) in choices:
         return MEANT[word.lower()]
-    found = get_close_matches(word, choices, n=1, cutoff=0.6)
+    found = get_close_matches(word, choices, n=1, cutoff=likeness)
     return found[0] if found else None
 
 
-def hint(word: str, names: Iterable[str], what: str) -> str:
+class Hint(str):
+    """The help of a fault that knows the word which was most likely `meant`: an editor puts it in the place of the fault."""
+
+    meant: str | None
+
+    def __new__(cls, text: str, meant: str | None = None) -> Hint:
+        made = super().__new__(cls, text)
+        made.meant = meant
+        return made
+
+
+def did_you_mean(guess: str | None, otherwise: str = "") -> Hint:
+    """The help line of a guess, or without one of something else."""
+    return Hint(f"did you mean `{guess}`?" if guess else otherwise, guess)
+
+
+def hint(word: str, names: Iterable[str], what: str) -> Hint:
     """The help line for an unknown word: `did you mean …? what: a, b, c`."""
     choices = list(dict.fromkeys(names))
     guess = nearest_name(word, choices)
-    meant = f"did you mean `{guess}`? " if guess else ""
+    meant = f"{did_you_mean(guess)} " if guess else ""
     if not choices:
         name_one = ": name one, such as `states: {start: at rest}`" if what == "states" else ""
-        return f"{meant}there are no {what}{name_one}".strip()
-    return f"{meant}{what}: {', '.join(choices)}"
+        return Hint(f"{meant}there are no {what}{name_one}".strip(), guess)
+    return Hint(f"{meant}{what}: {', '.join(choices)}", guess)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -57,14 +57,9 @@ class Arrangement(Struct, frozen=True, dict=True):
     @cached_property
     def signs(self) -> SignOracle:
         """What tells the sign of a formula of givens."""
-        problem = self.problem
-
-        def limits() -> dict[str, str]:
-            from rotsolve.language.limited import limited_letters
-
-            return limited_letters(problem)
-
-        return SignOracle(problem.values, self.positive, limits, trials=problem.trials)
+        return SignOracle(
+            self.problem.values, self.positive, partial(limits_of_letters, self.problem), trials=self.problem.trials
+        )
 
     def certain_sign(self, value: Formula, question: str, span: Span | None = None) -> int:
         """The sign on which it hangs what the scene is: answers the `question`, which is refused by name where nothing tells it.
@@ -217,3 +212,10 @@ class Arrangement(Struct, frozen=True, dict=True):
         """The state at which the phase of a state starts, or the state itself."""
         phase = self.timeline.phase_of(state)
         return phase.start if phase is not None else state
+
+
+def limits_of_letters(problem: Problem) -> dict[str, str]:
+    """What the keys of a scene say of the values of letters; what reads it is loaded when it is asked for."""
+    from rotsolve.language.limited import limited_letters
+
+    return limited_letters(problem)

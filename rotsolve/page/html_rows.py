@@ -174,3 +174,12 @@ def whole_page(bodies: Sequence[str], language: str, paper: str = "") -> str:
         style += paper_style(paper, len(bodies))
     title = found[1] if found else "rotsolve"
     return f"{HEAD.format(language)}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"
+
+
+def notebook_piece(body: str) -> str:
+    """A body within a page of others, as a notebook is one: its style sheet holds for it alone."""
+    rules = [
+        line for line in f"{STYLE}{ASSESSED_STYLE}{PICTURE_STYLE}".splitlines() if "{ " in line and line[0] not in " @"
+    ]
+    own = [rule.replace("body {", "& {") for rule in rules]
+    return f'<div class="rotsolve"><style>\n.rotsolve {{\n{chr(10).join(own)}\n}}\n</style>\n{body}</div>\n'

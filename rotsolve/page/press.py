@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.notation.typst import typst_string
+from rotsolve.core.faults import MissingPackage
 from rotsolve.page.typst_document import picture_page
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ def printed_document(source: str, kind: str = "pdf", images: Mapping[str, bytes]
     try:
         import typst
     except ModuleNotFoundError:
-        raise ModuleNotFoundError(MISSING.format(kind.upper()), name=PACKAGE) from None
+        raise MissingPackage(MISSING.format(kind.upper())) from None
     with TemporaryDirectory() as folder:  # within which alone Typst reads files
         for name, content in images.items():
             Path(folder, name).write_bytes(content)

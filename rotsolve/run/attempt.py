@@ -119,7 +119,9 @@ def attempt(file: str, request: SolveRequest, text: bytes = b"") -> FileOutcome:
 def scene_source(file: str, text: bytes) -> str | os.PathLike[str]:
     """The path of a scene, or the text that was piped in: a string with a line break is a text, one without is a path."""
     if file == PIPED:
-        return text.decode("utf-8") + "\n"
+        from rotsolve.scene.encoding import decoded
+
+        return decoded(text, name_of(file)) + "\n"
     if "\n" not in file:
         return file
     from pathlib import Path
@@ -138,8 +140,6 @@ def failure_outcome(file: str, error: Exception) -> FileOutcome:
             return FileOutcome(file, code, None, error.render(), kind)
         case Unsolvable():
             return FileOutcome(file, UNSOLVED, None, error.render(), "unsolvable")
-        case UnicodeDecodeError():
-            return FileOutcome(file, BAD, None, f"error: {name} is not UTF-8 text", "file")
         case OSError():
             return FileOutcome(file, BAD, None, f"error: cannot read {name}: {error.strerror or error}", "file")
     return FileOutcome(file, UNSOLVED, None, internal_error(name, error), "internal")

@@ -14,7 +14,7 @@ from rotsolve.elements.tables import SHAPES
 from rotsolve.language.grammar import BODY, PART
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.problem import Body, Part
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.elements import read_keys, read_value
 from rotsolve.scene.in_space import in_plane_only, in_space_only, read_axis, read_principal, read_rotations, read_tensor
 from rotsolve.scene.literals import Want
@@ -61,7 +61,7 @@ def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
 
 def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     """The shape that a body or part names."""
-    written = node.get("shape") if isinstance(node, Map) else None
+    written = (node.get("shape") or nearly_shape(node)) if isinstance(node, Map) else None
     if written is None or (isinstance(written, Text) and written.empty):
         return None
     if not isinstance(written, Text):
@@ -69,10 +69,22 @@ def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     word = " ".join(written.value.split())
     shape = SHAPES.of(word)
     if shape is None:
-        scope.unknown(written, word, "shape", SHAPES.words, "shapes")
+        scope.unknown(written, word, "shape", SHAPES.words, "shapes", own=False)
+        near = nearest_name(word, SHAPES.words)
+        shape = SHAPES.of(near) if near is not None else None
     elif shape.later:
         scope.later(written, word)
     return shape
+
+
+def nearly_shape(node: Map) -> Node | None:
+    """What stands under a key that is nearly `shape`, as its fault says of it."""
+    written = [(key.value, value) for key, value in node.entries if key.value not in BODY and key.value not in PART]
+    known = [word for cls in SHAPES for word, _ in keys_of(cls)] if written else []
+    near = (
+        value for word, value in written if word not in known and nearest_name(word, [*known, *BODY, *PART]) == "shape"
+    )
+    return next(near, None)
 
 
 def keys_allowed(shape: type[Shape] | None, more: tuple[str, ...]) -> list[str]:
@@ -329,6 +341,7 @@ def check_ends(scope: Scope, name: str, key: Text, entries: Entries, part: Part)
 def read_points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
     entries = named_entries(scope, node, f"the points of `{owner}`")
     found = [(name, read_spot(scope, written, name, owner)) for name, _, written in entries]
+    scope.lost.update(name for name, place in found if place is None)
     return tuple((name, place) for name, place in found if place is not None)
 
 

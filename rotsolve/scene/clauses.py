@@ -13,7 +13,7 @@ from rotsolve.algebra.units.quantities import UnitError, parse_unit
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.language.grammar import CLAUSES, NAMED_AXES, SAID_OF
 from rotsolve.language.problem import ANY_TIME, Condition, Path, PointRef, Term
-from rotsolve.language.words import hint, quoted
+from rotsolve.language.words import an, did_you_mean, hint, quoted
 from rotsolve.scene.in_space import WORDS, in_space_only, read_way
 from rotsolve.scene.literals import Lexeme, Want
 from rotsolve.scene.paths import read_path, read_point
@@ -71,7 +71,8 @@ class Clauses:
         names, start, end = self.scope.names("state"), self.words.get("start"), self.words.get("end")
         if start in names and end in names and names.index(start) >= names.index(end):
             help = f"states follow each other as they are written: {', '.join(names)}"
-            self.scope.fault(self.places["start"], f"`{end}` is no later state than `{start}`", help, "find")
+            message, here = f"`{end}` is no later state than `{start}`", self.scope.given_at(end, start)
+            self.scope.fault(self.places["start"], message, help, "find", related=here)
 
     def clause(self, word: Lexeme, rest: list[Lexeme]) -> None:
         span = self.node.part(word.start, word.end)
@@ -114,7 +115,7 @@ class Clauses:
             help = f"clauses stand at the end, or in brackets with their quantity: `(path at {(names or ['A'])[0]})/2`"
             self.scope.fault(part, f"{quoted(word)} is no {what}", help, "find")
         elif kind:
-            self.scope.fault(part, f"`{word}` is no {what} but a {kind}", hint("", names, plural), "kind")
+            self.scope.fault(part, f"`{word}` is no {what} but {an(kind)}", hint("", names, plural), "kind")
         else:
             self.scope.unknown(part, word, what, names, plural)
         return None
@@ -157,9 +158,9 @@ class Clauses:
         try:
             self.unit = parse_unit(part.value)
         except UnitError as error:
-            meant = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
-            help = meant or "`in` is for units; `during` for phases and events"
-            self.scope.fault(part, error.message, help, "unit")
+            help = did_you_mean(error.suggestion, "`in` is for units; `during` for phases and events")
+            place = part.part(error.start, error.end) if error.suggestion else part
+            self.scope.fault(place, error.message, help, "unit")
         return self.unit
 
     def check(self, terms: Sequence[Term], modifier: str = "") -> None:

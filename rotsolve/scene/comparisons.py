@@ -16,7 +16,7 @@ from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import IS, WHICH
 from rotsolve.language.problem import Find, Option, WhichOf
-from rotsolve.language.words import hint, quoted
+from rotsolve.language.words import hint, nearest_name, quoted
 from rotsolve.scene.literals import dimension_in_words
 from rotsolve.scene.phrases import read_phrase
 from rotsolve.scene.scope import NAME, Scope
@@ -32,6 +32,8 @@ SIGNS = {"<=": "≤", ">=": "≥", "==": "="}
 def read_which_of(scope: Scope, name: str, key: Text, node: Map, answers: dict[str, Any]) -> Find | None:
     """One entry of `find` that is a map: a choice with its options."""
     faults = len(scope.faults)
+    if node.key(WHICH) is None and all(nearest_name(word.value, (WHICH,)) is None for word, _ in node.entries):
+        return scope.fault(node, f"`{name}` asks for one phrase, or is a map with `{WHICH}`", FORM, "form")
     entries = scope.entries(node, f"`{name}`", (WHICH, IS))
     if WHICH not in entries:
         if len(scope.faults) == faults:

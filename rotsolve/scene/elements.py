@@ -98,7 +98,9 @@ def read_radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> An
             scope.fault(name, f"{quoted(word)} can't be the name of a rim", "use letters, digits and `_`", "name")
             continue
         radius = read_scalar(scope, written, Want(label, "length", "R", f"{owner}_{word}", "positive"))
-        if radius is not None:
+        if radius is None:
+            scope.lost.add(word)
+        else:
             found.append((word, radius))
     sizes = dict(found)
     thick = sizes["outer"] - sizes["inner"] if {"inner", "outer"} <= sizes.keys() else None
@@ -303,11 +305,14 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     check_world(scope, node.key(cls.word) or node, cls)
     required = {word: declared for word, declared in keys_of(cls) if declared.required}
     for word, declared in required.items():
-        if node.key(word) is None:
+        if node.key(word) is None and word not in entries:
             shown = example_here(scope, declared)
             example = f": `{word}: {shown}`" if shown else f": {declared.help}"
             scope.fault(key, f"`{name}` needs `{word}`", f"add it{example}", "missing")
+    before = len(scope.faults)
     found = read_keys(scope, cls, name, entries)
+    if len(scope.faults) > before:
+        scope.half_read.add(name)
     if not all(word in found or f"{word}_" in found for word in required):
         return None
     element: Element = cls(name, **found)
@@ -341,7 +346,7 @@ def plain_word(scope: Scope, kind: str, table: Kinds[Any], name: str, node: Text
     word = " ".join(node.value.split())
     cls = table.of(word)
     if cls is None:
-        return scope.unknown(node, word, kind, table.words, PLURAL[kind])
+        return scope.unknown(node, word, kind, table.words, PLURAL[kind], own=False)
     if any(declared.required for _, declared in keys_of(cls)):
         example = next((declared.example for _, declared in keys_of(cls) if declared.example), "…")
         return scope.fault(node, f"`{word}` wants a value", f"write `{name}: {{{word}: {example}}}`", "form")
@@ -362,7 +367,7 @@ def class_of(scope: Scope, kind: str, table: Kinds[Any], name: str, key: Text, n
         return scope.fault(key, f"`{name}` is both {both}", "give each a name of its own", "form")
     for entry, _ in node.entries:
         if nearest_name(entry.value, known):
-            return scope.unknown(entry, entry.value, kind, known, PLURAL[kind])
+            return scope.unknown(entry, entry.value, kind, known, PLURAL[kind], own=False)
     return scope.fault(key, f"`{name}` doesn't say what kind of {kind} it is", hint("", known, PLURAL[kind]), "missing")
 
 

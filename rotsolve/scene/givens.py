@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from decimal import Decimal
+from fractions import Fraction
+from math import isfinite
+from numbers import Integral, Real
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import BY_NAME, Dimension, Kind, kind_of
-from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit
+from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit, unit_for
+from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
@@ -17,10 +22,11 @@ from rotsolve.language.words import hint, quoted
 from rotsolve.scene.literals import LITERAL, Want, dimension_in_words, unit_fault
 from rotsolve.scene.rough import remember
 from rotsolve.scene.scope import Scope
-from rotsolve.scene.tree import Node, Text
-from rotsolve.scene.values import agreed_dimension, comma_fault, expression
+from rotsolve.scene.tree import Map, Node, Text
+from rotsolve.scene.values import agreed_dimension, expression, told_foreign
 
 NOWHERE = Span(0, 0)  # a setting of the command line has no place in the file
+FORM_OF_SETTING = 'write a text with its unit, such as "2 kg"'
 FORMS = "write a value `2 kg`, a unit alone `kg`, `number`, `unknown`, or a formula of other givens `2*R`"
 
 
@@ -53,6 +59,49 @@ def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) ->
         check_setting(scope, name, original)
 
 
+def settings_in_text(scope: Scope, node: Node | None, settings: Mapping[str, object]) -> dict[str, str]:
+    """Settings as texts: a number from Python has the unit that the file declares, where that is one of SI; else it is a fault."""
+    texts: dict[str, str] = {}
+    for name, value in settings.items():
+        if isinstance(value, str):
+            texts[name] = value
+            continue
+        number = number_in_text(value)
+        declared = node.get(name) if isinstance(node, Map) else None
+        if number is None:
+            scope.fault(None, f"--set {name}: {quoted(str(value))} is no value", FORM_OF_SETTING, "form")
+        elif scope.kinds.get(name) == "given" and (unit := unit_of_setting(scope, name, number, declared)) is not None:
+            texts[name] = f"{number} {unit}".rstrip()
+        elif scope.kinds.get(name) != "given":
+            texts[name] = number  # it is no given, which is said of it
+    return texts
+
+
+def number_in_text(value: object) -> str | None:
+    """A number of Python, NumPy, `fractions` or `decimal` as a scene writes it; None for what is none."""
+    if isinstance(value, (bool, complex)) or not isinstance(value, (Real, Decimal)) or not isfinite(value):
+        return None
+    if isinstance(value, (Fraction, Decimal)):
+        return str(value)
+    return str(int(value)) if isinstance(value, Integral) else repr(float(value))
+
+
+def unit_of_setting(scope: Scope, name: str, number: str, declared: Node | None) -> str | None:
+    """The unit in which a number without one is meant, '' of a pure number; None, with a fault, where that is not clear."""
+    text = declared.value.strip() if isinstance(declared, Text) else ""
+    unit: Unit | None = None
+    if text != "number":
+        try:
+            unit = parse_quantity(text).unit if LITERAL.fullmatch(text) else parse_unit(text)
+        except UnitError:
+            return scope.fault(None, f"--set {name}: the number {number} has no unit", FORM_OF_SETTING, "unit")
+    if unit is None or (unit.scale == 1 and not unit.pi_power):
+        return "" if unit is None else unit.text
+    plain = unit_for(unit.dimension).text
+    message = f"--set {name}: {number} may be in {unit.text}, as in the file, or in {plain}"
+    return scope.fault(None, message, f'write "{number} {unit.text}" or "{number} {plain}"', "unit")
+
+
 def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula]) -> None:
     """One given: unknown, a number with its unit, a unit alone, or a formula of others (kept in `made`)."""
     text = written.value.strip()
@@ -66,6 +115,9 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
         scope.dimensions[name] = NUMBER
     elif (LITERAL.fullmatch(text) and number_with_unit(scope, given, written)) or letter_with_unit(scope, given):
         pass
+    elif told_foreign(scope, written):
+        scope.dimensions[name] = None
+        scope.lost.add(name)
     elif (
         LITERAL.fullmatch(text)
         and not re.search(r"[-+*/^(]", text[1:])
@@ -76,12 +128,10 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
             parse_quantity(text)
         except UnitError as error:
             unit_fault(scope, written, error)
-    elif comma_fault(scope, written):
-        scope.dimensions[name] = None
     elif text.replace("_", " ") in BY_NAME and text not in scope.givens:
         kind_as_unit(scope, name, written, BY_NAME[text.replace("_", " ")])
     else:
-        formula = expression(scope, written, Want(name, None, "q", name), None)
+        formula = expression(scope, written, Want(name, None, "q", name, words=("unknown", "number")), None)
         scope.dimensions[name] = None
         if formula is not None:
             made[name] = formula
@@ -111,8 +161,6 @@ def number_with_unit(scope: Scope, given: Given, written: Text) -> bool:
 
 def letter_with_unit(scope: Scope, given: Given) -> bool:
     """`m: kg`, a letter with a dimension and no number."""
-    if re.search(r"\d", given.text.replace("^", "")) and not re.fullmatch(r"[^\d]*(\^?-?\d[^\d]*)*", given.text):
-        return False
     try:
         unit = parse_unit(given.text)
     except UnitError:

@@ -26,12 +26,13 @@ from rotsolve.algebra.units.dimension import (
     DimensionError,
     describe,
     dimension_of,
+    kind_of,
 )
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
-from rotsolve.language.words import an, quoted
+from rotsolve.language.words import an, did_you_mean, quoted
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import Nothing, Scope
 from rotsolve.scene.tree import Node, Text
@@ -181,6 +182,7 @@ LITERAL = re.compile(
     re.DOTALL,
 )
 COMMA = r"\s*[-+−]?\d+,\d"  # compiled where there is a comma
+FEW = 3  # places of letters that are shown beside a fault
 STEP = Fraction(1, 12)  # 15° in units of π
 EXPRESSION = Symbol("an expression after all")
 
@@ -236,8 +238,10 @@ def parsed_quantity(text: str) -> UnitValue | None:
 def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> Nothing:
     """The complaint of the unit parser at its place."""
     shift += len(node.value) - len(node.value.lstrip())
-    help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
-    help = help or ("" if ":" in error.message else "write a number and a unit, such as `3 kg m^2`")
+    help = did_you_mean(
+        error.suggestion,
+        "write a number and a unit, such as `3 kg m^2`" if re.search("(unit [^:]*|begins .*)$", error.message) else "",
+    )
     place = node.part(shift + error.start, shift + max(error.end, error.start + 1))
     return scope.fault(place, error.message, help, "unit")
 
@@ -260,34 +264,92 @@ def literal_value(scope: Scope, node: Text, want: Want, quantity: UnitValue) -> 
     """A literal quantity, checked, as a number or an automatic letter."""
     text = node.value.strip()
     unit = quantity.unit.text if quantity.unit else ""
-    zero = quantity.value == ZERO
-    if not dimension_holds(scope, node, want, quantity.dimension, text, unit, zero):
+    if not dimension_holds(scope, node, want, quantity.dimension, text, unit, quantity.value):
         return None
     if not limits_hold(scope, node, rough(quantity.value, {}), want, text):
         return None
     return as_letter(scope, node.span, want, quantity)
 
 
-def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text: str, unit: str, zero: bool) -> bool:
+def dimension_holds(
+    scope: Scope, node: Text, want: Want, found: Dimension, text: str, unit: str, formula: Formula | None = None
+) -> bool:
     """Whether a value has the dimension that is wanted; a bare number is no angle, and Hz is no angular velocity."""
-    if want.dimension is None or (zero and found == NUMBER):
+    if want.dimension is None or (formula == ZERO and found == NUMBER):
         return True
     label, shown_text = f"`{want.label}` wants {an(want.dimension)}", quoted(text)
-    wanted = DIMENSIONS[want.dimension]
+    wanted, letters = DIMENSIONS[want.dimension], givens_in(scope, node)
     number = text.rpartition("= ")[2]
     bare = found == NUMBER and want.dimension == "angle" and LITERAL.fullmatch(number) is not None
     bare = bare and re.search("pi|π|deg|rad|rev|°", number) is None
     if found.matches(wanted) and not bare:
         if want.dimension != "angular velocity" or "Hz" not in unit:
             return True
-        help = "write `2 rev/s` or `12.6 rad/s`"
-        scope.fault(node, f"{label}, but {shown_text} counts turns", help, "dimension")
-        return False
-    shown = "has no unit" if found == NUMBER else f"is {dimension_in_words(found)}"
-    example = BY_NAME[want.dimension].example if found == NUMBER else ""
-    help = f"write a unit: `{example}`" if example else ""
-    scope.fault(node, f"{label}, but {shown_text} {shown}", help, "dimension")
+        help, message = "write `2 rev/s` or `12.6 rad/s`", f"{label}, but {shown_text} counts turns"
+    else:
+        shown = "has no unit" if found == NUMBER else f"is {dimension_in_words(found)}"
+        help, message = with_its_unit(want, node, number, letters, found), f"{label}, but {shown_text} {shown}"
+    blame_of_dimension(scope, node, message, help, formula, wanted)
     return False
+
+
+def givens_in(scope: Scope, node: Text) -> list[str]:
+    """The givens that a text names; none in a number with its unit."""
+    named = () if parsed_quantity(node.value) is not None else dict.fromkeys(re.findall(NAME, node.value))
+    return [name for name in named if name in scope.givens and scope.kinds.get(name) == "given"]
+
+
+def with_its_unit(want: Want, node: Text, number: str, letters: list[str], found: Dimension) -> str:
+    """What to write for a number that lacks its unit: itself with one, where it stands or is given; for one of another kind an example."""
+    kind = BY_NAME[want.dimension or ""]
+    if LITERAL.fullmatch(number) is None or kind.dimension == NUMBER:
+        return ""
+    unit = kind.example.partition(" ")[2] or kind.unit
+    if found == NUMBER:
+        return f"write a unit: `{letters[0] if letters else want.label}: {number} {unit}`"
+    return f"{an(want.dimension or '')} is written as `{kind.example or f'1 {unit}'}`"
+
+
+def blame_of_dimension(
+    scope: Scope, node: Text, message: str, help: str, formula: Formula | None = None, wanted: Dimension | None = None
+) -> Nothing:
+    """A dimension that is not the one `wanted`: with the places where its letters are given, once for a letter that alone is to blame.
+
+    A letter that was given without its unit, and is all that stands here, is taken for what is wanted from here on.
+    """
+    letters = givens_in(scope, node)
+    blamed = next((name for name in letters if hangs_on_blamed(scope, name)), "")
+    name = blamed or to_blame(scope, letters, formula, wanted)
+    plain = scope.dimensions.get(name) == NUMBER and scope.givens[name].unit is None if name else False
+    if name:
+        scope.blamed.add(name)
+    if plain and wanted is not None and name == node.value.strip():
+        scope.dimensions[name] = wanted
+    cause, shown = (f"dimension of {name}", [name]) if name and (blamed or wanted is not None) else ("", letters[:FEW])
+    return scope.fault(node, message, help, "dimension", related=scope.given_at(*shown), cause=cause)
+
+
+def hangs_on_blamed(scope: Scope, name: str) -> bool:
+    """Whether a given has been found wrong, or is made of one that has."""
+    value = scope.givens[name].value
+    return name in scope.blamed or bool(value is not None and value.symbols() & scope.blamed)
+
+
+def to_blame(scope: Scope, letters: list[str], formula: Formula | None, wanted: Dimension | None) -> str:
+    """The one letter with which a formula would be what is wanted if it were of another kind; '' where several might be wrong."""
+    if len(letters) == 1:
+        return letters[0]
+    plain = [name for name in letters if scope.dimensions.get(name) == NUMBER and scope.givens[name].unit is None]
+    if len(plain) == 1:
+        return plain[0]
+    known = scope.dimensions
+    needed = (
+        {name: infer(formula, [name], {**known, name: None}, wanted) for name in letters} if formula is not None else {}
+    )
+    fitting = [
+        name for name, kind in needed.items() if kind is not None and kind != NUMBER and kind_of(kind) is not None
+    ]
+    return fitting[0] if len(fitting) == 1 else ""
 
 
 def as_letter(scope: Scope, span: Span, want: Want, quantity: UnitValue) -> Formula:
@@ -337,5 +399,11 @@ def limits_hold(scope: Scope, node: Node, number: float | None, want: Want, text
         "acute": not 0 <= number <= math.pi / 2 + 1e-12 and "must lie from 0 to 90 deg",
     }[want.limits]
     if wrong:
-        scope.fault(node, f"`{want.label}` {wrong}, but this is {quoted(text)}", kind="limits")
+        letters = givens_in(scope, node) if isinstance(node, Text) else []
+        cause = f"sign of {letters[0]}" if len(letters) == 1 else ""
+        message = f"`{want.label}` {wrong}, but this is {quoted(text)}"
+        bare = text.rpartition("= ")[2].lstrip("-−")
+        signed = number < 0 and want.limits in ("positive", "nonnegative") and LITERAL.fullmatch(bare) is not None
+        help = f"leave out the sign: `{letters[0] if letters else want.label}: {bare}`" if signed else ""
+        scope.fault(node, message, help, "limits", related=scope.given_at(*letters[:FEW]), cause=cause)
     return not wrong

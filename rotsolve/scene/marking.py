@@ -28,7 +28,7 @@ MOST_POINTS = 1000
 
 def read_marking(scope: Scope, node: Node, asked: Mapping[str, Dimension | None]) -> tuple[Marking, ...]:
     """What the section says of each answer, on top of what it says of all."""
-    entries = scope.entries(node, "`marking`", [ALL, *asked])
+    entries = scope.entries(node, "`marking`", [ALL, *asked], own=True)
     usual = Marking(ALL)
     if ALL in entries:
         usual = of_answer(scope, usual, *entries[ALL], None)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
@@ -24,7 +23,7 @@ from rotsolve.core.symbols import PLACES, RATES
 from rotsolve.elements.shapes import WHEEL, rivals
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.in_space import in_space_only
 from rotsolve.scene.literals import Lexeme, Want, closing
 from rotsolve.scene.scope import Scope
@@ -242,6 +241,9 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
         help = f"write `{word}.quantity`, for example `{word}.{example}`"
         return scope.fault(span, f"`{word}` is {an(str(kind))}, not a quantity", help, "path")
     known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES.values() if SYSTEM in item.owners)]
+    near = nearest_name(word, scope.names(*OWNERS))
+    if near is not None and nearest_name(word, known) is None:
+        return scope.unknown(span, word, "name", scope.names(*OWNERS), PLURALS)
     return scope.unknown(span, word, "name", known, "givens, answers and quantities")
 
 
@@ -263,13 +265,18 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
         if rivals(body, point):
             return scope.fault(word_place(node, rest[0]), *which_rim(body, point), "point")
         rest = rest[1:]
-    allowed = [entry.word for entry in QUANTITIES.values() if (POINT if point else BODY) in entry.owners]
+    allowed = asked_of_body(point)
     if not rest:
         help = f"name a quantity: {', '.join(allowed)}"
         written = node.value[owner.start : owner.start + span.length]
         return scope.fault(span, f"{quoted(written)} is a point, not a quantity", help, "path")
     names = allowed if point else [*allowed, *scope.points[owner]]
     return finish(scope, node, owner, point, argument, rest, span, allowed, names)
+
+
+def asked_of_body(point: str | None) -> list[str]:
+    """The quantities of a body, or of one of its points."""
+    return [entry.word for entry in QUANTITIES.values() if (POINT if point else BODY) in entry.owners]
 
 
 def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
@@ -290,16 +297,27 @@ OF_ENDS = (
 def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Path | None:
     """connection[.end].quantity[.component], action.quantity, event.quantity"""
     owner, rest = words[0], words[1:]
-    cls: Any = scope.elements.get(owner)
-    if cls is None:
+    if owner not in scope.elements:
         return None
     point = None
-    ends = (*scope.touched.get(owner, ()), *(BEARINGS if scope.space and "bearings" in cls.declared else ()))
-    askable = (*cls.quantities, *(cls.quantities_in_space if scope.space else ()))
-    if len(rest) > 1 and rest[0] in ends and rest[0] not in askable:
+    ends = ends_of_element(scope, owner)
+    if len(rest) > 1 and rest[0] in ends and rest[0] not in asked_of_element(scope, owner):
         point, rest = str(rest[0]), rest[1:]
-    allowed = [word for word in askable if not point or word in (OF_BEARINGS if point in BEARINGS else OF_ENDS)]
+    allowed = asked_of_element(scope, owner, point)
     return finish(scope, node, owner, point, None, rest, span, allowed, [*allowed, *(ends if not point else ())])
+
+
+def ends_of_element(scope: Scope, owner: str) -> tuple[str, ...]:
+    """What may stand between a connection and its quantity: what it touches, or a bearing."""
+    bearings = BEARINGS if scope.space and "bearings" in scope.elements[owner].declared else ()
+    return (*scope.touched.get(owner, ()), *bearings)
+
+
+def asked_of_element(scope: Scope, owner: str, end: str | None = None) -> list[str]:
+    """The quantities of a connection, action or event, or of one of its ends."""
+    cls = scope.elements[owner]
+    askable = (*cls.quantities, *(cls.quantities_in_space if scope.space else ()))
+    return [word for word in askable if not end or word in (OF_BEARINGS if end in BEARINGS else OF_ENDS)]
 
 
 def finish(
@@ -336,15 +354,19 @@ def finish(
 
 
 def read_component(scope: Scope, node: Text, entry: QuantityKind, word: Segment) -> str | None:
-    allowed = [*entry.components]
-    if scope.space and entry.word in DIRECTED:
-        allowed = [*dict.fromkeys((*allowed, *SPACE, *FELT.get(entry.word, ())))]
-    if entry.word in ANY_FORCE:
-        allowed += scope.names("connection", "action")
+    allowed = component_words(scope, entry)
     if word in allowed:
         return str(word)
     message = f"`{entry.word}` has no component {quoted(word)}"
     return scope.fault(word_place(node, word), message, hint(word, allowed, "components"), "component")
+
+
+def component_words(scope: Scope, entry: QuantityKind) -> list[str]:
+    """What may follow a quantity: its components, and of forces on a body the names of what acts."""
+    allowed = [*entry.components]
+    if scope.space and entry.word in DIRECTED:
+        allowed = [*dict.fromkeys((*allowed, *SPACE, *FELT.get(entry.word, ())))]
+    return allowed + (scope.names("connection", "action") if entry.word in ANY_FORCE else [])
 
 
 WORDS = (*PLACES, *RATES)

@@ -64,6 +64,9 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
     """A phrase as a question, with its dimension where that is known."""
     phrase = Phrase()
     faults = len(scope.faults)
+    if (single := unpaired(node.value)) is not None:
+        message, help = f"`{node.value[single]}` has no other bracket", "each `(` has its `)`"
+        return scope.fault(node.part(single, single + 1), message, help, "formula")
     formula = PhraseReader(scope, node, phrase, answers).read(0, len(node.value), True)
     if formula is None or len(scope.faults) > faults:
         return None
@@ -78,6 +81,16 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
     text = node.value.strip()
     find = Find(name, formula, tuple(phrase.terms), phrase.outer, phrase.where, unit, text, key.span)
     return find, dimension
+
+
+def unpaired(text: str) -> int | None:
+    """The place of a round bracket that has no other; None where all have."""
+    open_: list[int] = []
+    for place, letter in enumerate(text):
+        if letter == ")" and not open_:
+            return place
+        open_ = [*open_, place] if letter == "(" else open_[:-1] if letter == ")" else open_
+    return open_[-1] if open_ else None
 
 
 def unit_of_answer(

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
+from decimal import Decimal
+from fractions import Fraction
 from functools import partial
+from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any, TypeGuard
 
 from msgspec.structs import replace
@@ -13,16 +17,18 @@ from rotsolve.algebra.certified.ball import note
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ACCELERATION
 from rotsolve.algebra.units.quantities import parse_quantity
-from rotsolve.core.faults import Fault, SceneError
+from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.language.grammar import APPROXIMATIONS, SECTIONS
 from rotsolve.language.problem import SMALL_BESIDE, Given, Problem, references
-from rotsolve.language.words import quoted
+from rotsolve.language.words import nearest_name, quoted
 from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
-from rotsolve.scene.givens import read_givens
+from rotsolve.scene.encoding import decoded
+from rotsolve.scene.givens import read_givens, settings_in_text
 from rotsolve.scene.in_space import in_plane_only, in_space_only
 from rotsolve.scene.literals import Want
+from rotsolve.scene.mending import mended
 from rotsolve.scene.phrases import read_find
 from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
@@ -34,15 +40,57 @@ if TYPE_CHECKING:
     from rotsolve.language.marks import Marking
     from rotsolve.language.problem import Variation, Wording
 
+Source = str | os.PathLike[str] | Mapping[str, Any] | Problem  # what says a scene
 
-def read_source(source: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
-    """The problem in a file, or in YAML text: a text has a line break, a path has none."""
+
+def read_source(source: Source, settings: Mapping[str, object] | None = None) -> Problem:
+    """The problem in a file, in YAML text (a text has a line break, a path has none), in a dict of its sections; or one that has been read.
+
+    `settings` replace values of givens: texts such as "2 kg", or numbers where the unit in the scene is one of SI.
+    """
+    if isinstance(source, Problem):
+        told = {**dict(source.settings), **(settings or {})}
+        return read_text("\n".join(source.lines), source.file, told) if settings else source
+    if isinstance(source, Mapping):
+        return read_text(written_yaml(source), "<dict>", settings)
     if isinstance(source, str) and "\n" in source:
         return read_text(source, settings=settings)
     return read_file(source, settings=settings)
 
 
-def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
+def written_yaml(sections: Mapping[str, Any]) -> str:
+    """A dict as YAML text; faults of a scene, or of answers, show lines of this text."""
+    from yaml import SafeDumper, YAMLError, dump
+
+    class Writer(SafeDumper):  # type: ignore[misc]
+        """Writes what stands in several places wherever it stands."""
+
+        def ignore_aliases(self, data: object) -> bool:
+            return True
+
+    try:
+        return str(dump(plain_values(sections), Dumper=Writer, sort_keys=False, allow_unicode=True, width=math.inf))
+    except (YAMLError, RecursionError) as error:
+        kind = type(error.args[-1]).__name__ if isinstance(error, YAMLError) else ""
+        message = f"this dict holds a value of the kind `{kind}`" if kind else "this dict holds itself"
+        fault = Fault(message, None, "it may hold texts, numbers, lists and dicts", "form")
+        raise SceneError([fault], (), "<dict>") from None
+
+
+def plain_values(value: Any) -> Any:
+    """Dicts, lists and numbers of any kind as those that YAML writes."""
+    if isinstance(value, Mapping):
+        return {key: plain_values(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain_values(item) for item in value]
+    if isinstance(value, (Fraction, Decimal)):
+        return str(value)
+    if isinstance(value, Real) and not isinstance(value, bool):
+        return int(value) if isinstance(value, Integral) else float(value)
+    return value
+
+
+def read_file(path: str | os.PathLike[str], settings: Mapping[str, object] | None = None) -> Problem:
     """The problem in a file."""
     return read_text(text_of_file(path), os.fspath(path), settings)
 
@@ -61,24 +109,15 @@ def text_of_file(path: str | os.PathLike[str]) -> str:
         raise SceneError([Fault(f"can't read {quoted(name)}: {reason}", None, "", "file")]) from None
     if len(content) > BYTES:
         raise too_large(len(content), name)
-    if b"\0" in content:
-        raise unreadable("this is no text file: it holds a NUL byte", "a scene is YAML text in UTF-8", name)
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        raise unreadable(f"line {line} is not UTF-8", "save the file as UTF-8", name) from None
+    return decoded(content, name)
 
 
 def too_large(size: int, name: str) -> SceneError:
-    return unreadable(f"the file has {size} bytes, more than {BYTES}", "a scene is a page of text", name, "limit")
+    message = f"the file has {size} bytes, more than {BYTES}"
+    return SceneError([Fault(message, None, "a scene is a page of text", "limit")], (), name)
 
 
-def unreadable(message: str, help: str, name: str, kind: str = "file") -> SceneError:
-    return SceneError([Fault(message, None, help, kind)], (), name)
-
-
-def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
+def read_text(text: str, file: str = "<text>", settings: Mapping[str, object] | None = None) -> Problem:
     """The problem in a text. Raises SceneError with all faults."""
     return read_tree(*tree_of_text(text, file), file, settings)
 
@@ -90,9 +129,11 @@ def tree_of_text(text: str, file: str) -> tuple[Node, tuple[str, ...]]:
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
     control = min((text.index(letter) for letter in set(text) if is_control(ord(letter))), default=None)
     if control is not None:
-        line = text.count("\n", 0, control) + 1
-        message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
-        raise unreadable(message, "a scene is YAML text in UTF-8", file)
+        place = Span(text.count("\n", 0, control) + 1, control - text.rfind("\n", 0, control))
+        fault = Fault(
+            f"a control character, U+{ord(text[control]):04X}", place, "remove it: a scene is plain text", "file"
+        )
+        raise SceneError([fault], text.split("\n"), file)
     return compose(text, file)
 
 
@@ -117,16 +158,19 @@ def is_control(code: int) -> bool:
 
 
 def read_tree(
-    root: Node, lines: tuple[str, ...], file: str = "<text>", settings: Mapping[str, str] | None = None
+    root: Node, lines: tuple[str, ...], file: str = "<text>", settings: Mapping[str, object] | None = None
 ) -> Problem:
     """The problem in the tree of a text."""
     scope = Scope()
     if is_sheet(root):
         raise SceneError([no_scene_but_sheet(root, file)], lines, file)
+    root = mended(root, scope) if isinstance(root, Map) else root
     problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
-    scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None else ())
+    scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None and not scope.blamed else ())
     if scope.faults:
-        raise SceneError(scope.faults, lines, file)
+        from rotsolve.scene.aftermath import first_causes  # only a faulty scene pays for it
+
+        raise SceneError(first_causes(scope, lines), lines, file)
     assert problem is not None
     return problem
 
@@ -149,9 +193,9 @@ Entries = dict[str, tuple[Text, Node]]
 class Sections:
     """Reads the sections in the order in which they lean on each other."""
 
-    def __init__(self, scope: Scope, root: Node, settings: Mapping[str, str]) -> None:
+    def __init__(self, scope: Scope, root: Node, settings: Mapping[str, object]) -> None:
         self.scope = scope
-        self.settings = settings
+        self.settings: Mapping[str, object] = settings
         self.written = {key.value for key, _ in root.entries} if isinstance(root, Map) else set()
         self.top: Entries = scope.entries(root, "a scene", SECTIONS) if isinstance(root, Map) else {}
         if not isinstance(root, Map):
@@ -175,6 +219,8 @@ class Sections:
 
     def declare(self) -> None:
         """Enter all names of the file, so that order doesn't matter; a `find` may have the name of an unknown given."""
+        nodes = [self.node(section) for section in NAMED]
+        self.scope.written = frozenset(key.value for node in nodes if isinstance(node, Map) for key, _ in node.entries)
         for item in self.unknown():
             if isinstance(item, Text):
                 self.scope.declare(item, "given")
@@ -201,7 +247,9 @@ class Sections:
         given = self.node("given")
         item = given.get(name) if isinstance(given, Map) else None
         listed = [entry.value for entry in self.unknown() if isinstance(entry, Text)]
-        return (isinstance(item, Text) and item.value.strip() == "unknown") or name in listed
+        text = item.value.strip() if isinstance(item, Text) else ""
+        nearly = text[:2] == "un" and text.isalpha() and nearest_name(text, ("unknown",)) is not None
+        return text == "unknown" or nearly or name in listed
 
     def problem(self, file: str, lines: tuple[str, ...]) -> Problem | None:
         """All sections; None when the root is no map."""
@@ -232,11 +280,12 @@ class Sections:
         fields["assume"] = self.assume()
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
-        fields["answers"] = self.answers(asked)
+        fields["answers"] = self.answers(asked, asked.keys() - {find.name for find in fields["finds"]})
         fields["ask"] = self.ask(asked, lines, file)
         fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
-        problem = Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
+        settings = tuple(self.texts.items())
+        problem = Problem(file=file, lines=lines, givens=self.all_givens(), settings=settings, **fields)
         if not scope.space:
             return problem
         from rotsolve.scene.first_rates import with_first_rates
@@ -246,7 +295,7 @@ class Sections:
     def required(self) -> None:
         scope = self.scope
         for section, declared in SECTIONS.items():
-            if declared.required and section not in self.written:
+            if declared.required and section not in self.written and self.written <= SECTIONS.keys():
                 scope.fault(None, f"the scene has no `{section}`", f"add it: {declared.help}", "missing")
         find = self.node("find")
         if isinstance(find, Map) and not find.entries:
@@ -254,7 +303,8 @@ class Sections:
 
     def givens(self) -> None:
         scope = self.scope
-        read_givens(scope, self.node("given"), self.settings)
+        self.texts = settings_in_text(scope, self.node("given"), self.settings)
+        read_givens(scope, self.node("given"), self.texts)
         for name in scope.names("given"):
             if name not in scope.givens:
                 scope.givens[name] = Given(name, None, None, asked=True, text="unknown", span=scope.places[name])
@@ -283,12 +333,14 @@ class Sections:
             asked.setdefault(key.value, None)
         return tuple(find for find in found if find is not None)
 
-    def answers(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+    def answers(self, asked: dict[str, Any], unread: Container[str]) -> tuple[Any, ...]:
+        """The published answers, but for those of questions that could not be read."""
         node = self.node("answers")
-        if node is None:
+        if node is None or not (asked or isinstance(self.node("find"), Map)):
             return ()
-        entries = self.scope.entries(node, "`answers`", asked)
-        found = [read_published(self.scope, name, key, item, asked) for name, (key, item) in entries.items()]
+        entries = self.scope.entries(node, "`answers`", asked, own=True)
+        known = [entry for entry in entries.items() if entry[0] not in unread]
+        found = [read_published(self.scope, name, key, item, asked) for name, (key, item) in known]
         return tuple(answer for answer in found if answer is not None)
 
     def text(self, name: str) -> str:

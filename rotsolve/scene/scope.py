@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
-from typing import Never
+from collections.abc import Container, Iterable
+from typing import Any, Never
 
 from rotsolve.algebra.formula import FUNCTIONS, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import UnitValue
-from rotsolve.core.faults import Fault, Span
+from rotsolve.core.faults import Fault, Related, Span
 from rotsolve.core.quantity import QUANTITIES, SYSTEM
 from rotsolve.language.grammar import RESERVED_WORDS
 from rotsolve.language.problem import Body, Given
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.rough import remember
 from rotsolve.scene.tree import Map, Node, Text
 
@@ -36,7 +36,20 @@ RESERVED = {
 ALWAYS = ("ground", "ceiling")
 LATER_HELP = "the scene reads well, but the physics of this word comes in a later version"
 MOST_FAULTS = 100
+ASCII = {"ä": "ae", "ö": "oe", "ü": "ue", "ß": "ss", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ø": "oe", "æ": "ae"}
+UNKNOWN = "unknown: "  # begins the cause of a fault that names what nothing gives
 Nothing = Never | None  # noqa: RUF020  # None, which a reader may give back for what it did not find
+
+
+def plainly_spelt(word: str, taken: Container[str]) -> str:
+    """What to write for a name with Greek or other letters, blanks or hyphens; '' where that is no name either, or names something."""
+    from unicodedata import normalize  # only a faulty scene pays for it
+
+    from rotsolve.algebra.notation.letters import LETTER_NAMES
+
+    told = "".join(LETTER_NAMES.get(letter, ASCII.get(letter, letter)) for letter in word)
+    plain = re.sub(r"\W+", "_", re.sub(r"[^\x00-\x7f]", "", normalize("NFKD", told))).strip("_")
+    return f"write `{plain}`: " if plain != word and NAME.fullmatch(plain) and plain not in taken else ""
 
 
 class Scope:
@@ -53,21 +66,40 @@ class Scope:
         self.made: dict[str, Formula] = {}  # of givens that are made of letters without a number, in these
         self.bodies: dict[str, Body] = {}
         self.points: dict[str, tuple[str, ...]] = {}
-        self.elements: dict[str, type] = {}  # connections, actions and events by name
+        self.elements: dict[str, Any] = {}  # connections, actions and events by name
         self.touched: dict[str, tuple[str, ...]] = {}  # connection -> what it touches
         self.choices: set[str] = set()  # questions whose answer is a label
         self.of_no_kind: frozenset[str] = (
             frozenset()
         )  # letters that are sought and units as well, of which that has been said
         self.conflicts: set[str] = set()  # names used twice: what they name can't be told
+        self.blamed: set[str] = set()  # givens whose dimension has been found wrong
+        self.half_read: set[str] = (
+            set()
+        )  # names of connections, actions and events with faults: what they touch is not known
+        self.lost: set[str] = set()  # names of what could not be read: that they are not known follows from that
+        self.written: frozenset[str] = (
+            frozenset()
+        )  # all names that the sections give, also those that are entered later
+        self.doubled: list[Text] = []  # names that can't be, since they stand twice or say something else
+        self.guessed: list[Node] = []  # values that are read under another key than they have
 
-    def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> Nothing:
+    def fault(
+        self,
+        place: Node | Span | None,
+        message: str,
+        help: str = "",
+        kind: str = "scene",
+        *,
+        related: tuple[Related, ...] = (),
+        cause: str = "",
+    ) -> Nothing:
         """Note a fault; nothing is read then, which is what the reader returns."""
         if len(self.faults) < MOST_FAULTS:
             span = place if isinstance(place, Span) or place is None else place.span
             if span is not None and span.line == 0:  # a setting of the command line
                 span, message = None, f"--set: {message}"
-            self.faults.append(Fault(message, span, help, kind))
+            self.faults.append(Fault(message, span, help, kind, related=related, cause=cause))
         return None
 
     def later(self, place: Node | Span | None, word: str) -> Nothing:
@@ -80,41 +112,69 @@ class Scope:
         return [*own, *(ALWAYS if "surface" in kinds else ())]
 
     def declare(self, name: Text, kind: str) -> bool:
-        """Enter a name; it must be new in the whole file."""
+        """Enter a name; it must be new in the whole file. One that it can't have is read as if it could, where that goes."""
         word = name.value
         if not NAME.fullmatch(word):
+            self.doubled.append(name)
+            self.lost.update((word, re.split(r"[\s:{\[]", word)[0]))
+            if before := re.match(r"(\w+)\s*([{\[])", word):
+                help = f"write `{before[1]}: {word[before.start(2) :]}`"
+                self.fault(name, f"no colon behind `{before[1]}`", help, "yaml")
+                return False
             help = "a name is letters, digits and `_`, begins with a letter and has at most 40 characters"
-            self.fault(name, f"{quoted(word)} can't be a name", help, "name")
-            return False
-        if word in RESERVED:
-            self.fault(name, f"`{word}` can't be a name: it is {RESERVED[word]}", "choose another name", "name")
-            return False
-        if self.space and word in AXES_NAMED:
             self.fault(
-                name, f"`{word}` can't be a name in space: `in {word} axes` means others", "choose another name", "name"
+                name,
+                f"{quoted(word)} can't be a name",
+                f"{plainly_spelt(word, {*self.kinds, *self.written, *RESERVED})}{help}",
+                "name",
             )
             return False
-        if word in self.kinds:
-            before = self.places.get(word)
+        taken = f": it is {RESERVED[word]}" if word in RESERVED else ""
+        if self.space and word in AXES_NAMED:
+            taken = f" in space: `in {word} axes` means others"
+        if taken:
+            self.lost.add(word)
+            self.doubled.append(name)
+            help = f"choose another name, as `{word}_1`"
+            self.fault(name, f"`{word}` can't be a name{taken}", help, "name")
+        elif word in self.kinds:
+            first = self.places.get(word)
             self.conflicts.add(word)
-            place = f" in line {before.line}" if before else ""
+            self.lost.add(word)
+            self.doubled.append(name)
+            place = f" in line {first.line}" if first else ""
             message = f"`{word}` already names {an(self.kinds[word])}{place}"
-            self.fault(name, message, "a name is used once in the whole file", "name")
+            self.fault(name, message, "a name is used once in the whole file", "name", related=self.given_at(word))
             return False
         self.kinds[word] = kind
         self.places[word] = name.span
         return True
 
     def unknown(
-        self, place: Node | Span, word: str, what: str, names: Iterable[str], plural: str, where: str = ""
+        self,
+        place: Node | Span,
+        word: str,
+        what: str,
+        names: Iterable[str],
+        plural: str,
+        where: str = "",
+        own: bool = True,
     ) -> Nothing:
-        """An unknown name, with what was probably meant."""
-        return self.fault(place, f"unknown {what} {quoted(word)}{where}", hint(word, names, plural), "unknown")
+        """An unknown name, the scene's `own` or a word of the language, with what was probably meant."""
+        message = f"unknown {what} {quoted(word)}{where}"
+        return self.fault(place, message, hint(word, names, plural), "unknown", cause=f"{UNKNOWN}{word}" * own)
+
+    def given_at(self, *names: str) -> tuple[Related, ...]:
+        """Where names are told in the file, of those that are."""
+        set_ = {name for name, given in self.givens.items() if given.span is None}  # by the command line
+        known = [(name, self.places[name]) for name in names if name in self.places and name not in set_]
+        return tuple(Related(span, f"`{name}` is given here") for name, span in known)
 
     def entries(
-        self, node: Node, what: str, allowed: Iterable[str] | None = None, owner: str = ""
+        self, node: Node, what: str, allowed: Iterable[str] | None = None, *, own: bool = False
     ) -> dict[str, tuple[Text, Node]]:
-        """The entries of a map by name; duplicates, unknown keys and missing values are faults and left out."""
+        """The entries of a map by name, the scene's `own` or keys of the language; duplicates, unknown keys and missing values are faults
+        and left out."""
         if not isinstance(node, Map):
             found = "nothing" if isinstance(node, Text) and node.empty else node.shown
             self.fault(node, f"{what} wants `name: value` lines, but this is {found}", "write `{name: value}`", "form")
@@ -124,12 +184,20 @@ class Scope:
         for key, value in node.entries:
             word = key.value
             if word in result:
-                help = f"the first is in line {result[word][0].span.line}; YAML would keep only one of them"
-                self.fault(key, f"{quoted(word)} stands twice in {what}", help, "duplicate")
+                first = Related(result[word][0].span, "the first is here")
+                help = "leave one of them out: YAML would keep only one"
+                self.fault(key, f"{quoted(word)} stands twice in {what}", help, "duplicate", related=(first,))
+                self.doubled += [key] if names is None else []
             elif isinstance(value, Text) and value.empty:
                 self.missing_value(key, node)
             elif names is not None and word not in names:
-                self.fault(key, f"unknown key {quoted(word)} in {what}", hint(word, names, "keys"), "key")
+                cause = f"{UNKNOWN}{word}" * own
+                self.fault(key, f"unknown key {quoted(word)} in {what}", hint(word, names, "keys"), "key", cause=cause)
+                self.lost.update(entry.value for entry, _ in (value.entries if isinstance(value, Map) else ()))
+                guess = nearest_name(word, names)
+                if guess is not None and node.key(guess) is None and guess not in result:
+                    self.guessed.append(value)
+                    result[guess] = (key, value)
             else:
                 result[word] = (key, value)
         return result

@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -15,10 +15,12 @@ from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.core.faults import Span
 from rotsolve.language.problem import Wording
 from rotsolve.language.words import hint, quoted
-from rotsolve.page.blocks import PageBlock, Phrase
-from rotsolve.page.statement_blocks import Image
-from rotsolve.scene.scope import Scope
+from rotsolve.scene.scope import UNKNOWN, Scope
 from rotsolve.scene.tree import Node, Text
+
+if TYPE_CHECKING:
+    from rotsolve.page.blocks import PageBlock, Phrase
+    from rotsolve.page.statement_blocks import Image
 
 PIECES = re.compile(
     r"(?P<dollar>\\\$)|\{\{|\}\}|(?P<tex>\$(?=\S)(?:[^$\\\n]|\\.|\n(?!\s*\n))*?(?<=\S)\$(?!\d))|\{(?P<inner>[^{}]*)\}"
@@ -46,7 +48,7 @@ class Tex(Struct, frozen=True):
     tex: str
 
 
-Filler = Callable[["str | Slot | Tex"], Phrase]  # what a page says for prose, a slot or a formula
+Filler = Callable[["str | Slot | Tex"], "Phrase"]  # what a page says for prose, a slot or a formula
 
 
 def prose_and_slots(text: str) -> Iterator[str | Slot | Tex]:
@@ -170,15 +172,14 @@ def check_text(
     for piece in prose_and_slots(node.value):
         if isinstance(piece, Slot) and piece.name not in names:
             place = written_at(piece.text, node, lines)
-            scope.fault(
-                place, f"{quoted(piece.text)} in {what} names no given", hint(piece.name, names, "givens"), "unknown"
-            )
+            message, help = f"{quoted(piece.text)} in {what} names no given", hint(piece.name, names, "givens")
+            scope.fault(place, message, help, "unknown", cause=f"{UNKNOWN}{piece.name}")
         elif isinstance(piece, Tex):
             check_formula(scope, piece.tex, node, lines)
         elif isinstance(piece, str) and (start := OPEN.search(piece)):
             place = written_at(piece[start.start() :].split("\n")[0][:20], node, lines)
-            help = r"close it with another `$`, or write `\$` for the sign itself"
-            scope.fault(place, f"a formula begins in {what} and does not end", help, "formula")
+            closing = r"close it with another `$`, or write `\$` for the sign itself"
+            scope.fault(place, f"a formula begins in {what} and does not end", closing, "formula")
     if "![" in node.value or (MARKED.search(node.value) and in_line):
         check_images(scope, node, lines, what, file, in_line)
 
@@ -199,6 +200,7 @@ def check_formula(scope: Scope, tex: str, node: Text, lines: tuple[str, ...]) ->
 
 def check_images(scope: Scope, node: Text, lines: tuple[str, ...], what: str, file: str, in_line: bool) -> None:
     """A fault for each image that is none."""
+    from rotsolve.page.statement_blocks import Image
     from rotsolve.scene.markdown import NoMarkdown
 
     def plainly(piece: str | Slot | Tex) -> Phrase:
@@ -223,20 +225,20 @@ def check_images(scope: Scope, node: Text, lines: tuple[str, ...], what: str, fi
 
 def fault_of_image(image: Image) -> str:
     """What is wrong with an image; '' where nothing is."""
-    path = Path(image.path)
-    name = quoted(path.name)
+    folder, file = os.path.split(image.path)
+    name = quoted(file)
     if not image.alt.strip():
         return f"the image {name} has no words for those who do not see it"
     if "://" in image.path:
         return f"{quoted(image.path)} is no file: nothing is fetched from a network"
-    if path.suffix.lower() not in KINDS:
+    if os.path.splitext(file)[1].lower() not in KINDS:
         return f"the image {name} is of no kind that every format can print: {', '.join(KINDS)}"
-    if not path.is_file():
-        return f"there is no image {name} in {quoted(str(path.parent))}"
+    if not os.path.isfile(image.path):
+        return f"there is no image {name} in {quoted(folder or os.curdir)}"
     return (
         ""
         if image.content() is not None
-        else f"{name} holds no image, or one of more than {Image.most // 1_000_000} MB"
+        else f"{name} holds no image, or one of more than {image.most // 1_000_000} MB"
     )
 
 

@@ -126,6 +126,8 @@ class TreeBuilder:
             key = self.node(following, depth + 1)
             if not isinstance(key, Text):
                 stop("a name must be a single word", key.span, "write `name: value`", "yaml")
+            elif key.plain and key.value == "<<":
+                raise SceneError([traps.merge(key.span)])
             else:
                 entries.append((key, self.node(next(self.events), depth + 1)))
         return Map(tuple(entries), self.span(event, following))

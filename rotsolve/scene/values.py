@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Container, Iterator, Mapping
 
 from rotsolve.algebra.certified.ball import evaluate, note
 from rotsolve.algebra.formula import ZERO, Call, Formula, Negative, Number, Product, Quotient, Sum, Symbol
@@ -25,7 +25,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.keys import HIGHEST
 from rotsolve.language.problem import TimeValue
-from rotsolve.language.words import an, hint, quoted
+from rotsolve.language.words import Hint, an, did_you_mean, hint, quoted
 from rotsolve.scene.literals import (
     COMMA,
     EXPRESSION,
@@ -36,12 +36,14 @@ from rotsolve.scene.literals import (
     ambiguous,
     as_letter,
     asked_letter,
+    blame_of_dimension,
     dimension_holds,
     infer,
     lexemes,
     limits_hold,
     multiple_of_pi,
     names_unit,
+    parsed_quantity,
     share_of_pi,
     stand_in,
     unit_below,
@@ -49,7 +51,7 @@ from rotsolve.scene.literals import (
     whole_literal,
 )
 from rotsolve.scene.rough import size
-from rotsolve.scene.scope import Scope
+from rotsolve.scene.scope import UNKNOWN, Scope
 from rotsolve.scene.tree import Node, Text
 
 NUMBER_IN_FRONT = re.compile(r"(.*?[\d.½⅓¼⅔¾⅛]|pi)\s*([^\W\d].*|[°%].*)")  # of a quantity, and its unit
@@ -161,13 +163,13 @@ def formula_fault(
     span = node.part(error.start, max(error.end, error.start + 1))
     wrong = text[error.start : error.end]
     if not re.fullmatch(NAME, wrong) or wrong in names or wrong in stand_ins:
-        help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
-        scope.fault(span, f"{quoted(node.value)} is no formula: {error.message}", help, "formula")
+        message = f"{quoted(node.value)} is no formula: {error.message}"
+        scope.fault(span, message, did_you_mean(error.suggestion), "formula")
         return
     kind = scope.kinds.get(wrong)
     letters = [name for name in names if not name.startswith("Zq")]
     if wrong == "time":
-        help = "only actions and driven hinges vary"
+        help: str = "only actions and driven hinges vary"
         scope.fault(span, "`time` can't stand here: this value is constant", help, "formula")
     elif kind and kind != "given":
         help = hint("", letters, "givens")
@@ -177,8 +179,10 @@ def formula_fault(
             )
         scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", help, "formula")
     elif names_unit(wrong):
-        help = f"write `2 {wrong}`, or choose a letter for it"
-        scope.fault(span, f"`{wrong}` is a unit without a number", help, "unit")
+        other = next((name for name in letters if name.lower() == wrong.lower()), "")
+        choice = f"write `2 {wrong}`, or choose a letter for it"
+        help = Hint(f"did you mean `{other}`? else {choice}", other) if other else choice
+        scope.fault(span, f"`{wrong}` is a unit without a number", help, "unit", cause=f"{UNKNOWN}{wrong}")
     else:
         scope.unknown(span, wrong, "letter", [*letters, *want.words], "givens")
 
@@ -192,9 +196,11 @@ def read_scalar(scope: Scope, node: Node, want: Want, paths: PathReader | None =
     if node.value.strip() == "unknown":
         return asked_letter(scope, node, want)
     literal = LITERAL.fullmatch(node.value)
+    if literal and parsed_quantity(node.value.strip()) is None and told_foreign(scope, node):
+        return None
     if literal and (result := whole_literal(scope, node, want, (literal["unit"] or "").strip())) is not EXPRESSION:
         return result
-    if comma_fault(scope, node):
+    if told_foreign(scope, node):
         return None
     formula = expression(scope, node, want, paths)
     if formula is not None and written_nothing(scope, formula, want):
@@ -213,14 +219,40 @@ def written_nothing(scope: Scope, formula: Formula, want: Want) -> bool:
         return False
 
 
-def comma_fault(scope: Scope, node: Text) -> bool:
-    """`12,5 kg`: reported with the point that was meant."""
-    if "," not in node.value or not re.match(COMMA, node.value):
+OPERATORS = str.maketrans("+-*/^()", "\n" * 7)
+
+
+def plainly_made(text: str, letters: Container[str]) -> bool:
+    """Whether a text is made of names and numbers with an operator between any two of them, `2*M`, `L*cos(theta)`, or is a known letter."""
+    pieces = [piece for part in text.translate(OPERATORS).split("\n") if (piece := part.strip())]
+    names = [piece for piece in pieces if piece.replace(".", "").isidentifier()]
+    known = all(name in letters for name in names)  # beside a unit a name may be one too: `3 m/s2`
+    made = known or (len(pieces) > 1 and not any(" " in piece for piece in pieces))
+    return made and bool(names) and all(piece in names or is_figures(piece) for piece in pieces)
+
+
+def is_figures(piece: str) -> bool:
+    """Whether a piece is a number in figures, `12` or `0.5`, perhaps with one unit, `90 deg`."""
+    number, _, unit = piece.partition(" ")
+    return number.isascii() and number.replace(".", "", 1).isdigit() and (not unit or names_unit(unit))
+
+
+def told_foreign(scope: Scope, node: Text) -> bool:
+    """Whether a value is one elsewhere, which is said: `12,5 kg`, `1_000`, `.inf`."""
+    text = node.value.strip()
+    if plainly_made(text, scope.givens):
+        return False
+    from rotsolve.scene.foreign import foreign_value  # its patterns take 3 ms to be compiled
+
+    if (told := foreign_value(text, scope.givens)) is not None:
+        scope.fault(node, *told, "number")
+        return True
+    if "," not in text or not re.match(COMMA, text):
         return False
     try:
         parse_quantity(node.value)
     except UnitError as error:
-        unit_fault(scope, node, error)
+        scope.fault(node, error.message, did_you_mean(error.suggestion), "unit")
         return True
     return False
 
@@ -247,7 +279,7 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
     unit = given.unit.text if given and given.unit else ""
     if given is not None and given.value is not None:
         shown = f"{shown} = {given.text}"
-    return dimension_holds(scope, node, want, dimension, shown, unit, formula == ZERO)
+    return dimension_holds(scope, node, want, dimension, shown, unit, formula)
 
 
 def turned_letters(formula: Formula) -> set[str]:
@@ -277,7 +309,8 @@ def agreed_dimension(
         return dimension_of(formula, found)
     except DimensionError as error:
         message = as_written(scope, formula, error.message)
-        return scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", help, "dimension")
+        whole = f"the dimensions in {quoted(node.value)} don't agree: {message}"
+        return blame_of_dimension(scope, node, whole, help)
 
 
 def as_written(scope: Scope, formula: Formula, message: str) -> str:
@@ -323,6 +356,11 @@ def read_seconds(text: str) -> float:
     if not seconds > 0:
         raise ValueError(f"{quoted(text)} is not positive; write 10s")
     return seconds
+
+
+def read_time_of(text: str) -> float:
+    """A moment in seconds, of which 0 is the first. Raises ValueError for what is no time."""
+    return evaluate(read_time(text).value, {}, digits=17).float
 
 
 def parsed_time(written: str, text: str, example: str) -> UnitValue:

@@ -80,7 +80,8 @@ def read_given_value(scope: Scope, given: Given, node: Text) -> UnitValue | None
     if wanted is not None and not found.dimension.matches(wanted):
         shown = f"{quoted(node.value.strip())} is {dimension_in_words(found.dimension)}"
         message = f"`{given.name}` is {dimension_in_words(wanted)}, but {shown}"
-        return scope.fault(node, message, kind="dimension")
+        cause = f"dimension of {given.name}"
+        return scope.fault(node, message, kind="dimension", related=scope.given_at(given.name), cause=cause)
     return found
 
 

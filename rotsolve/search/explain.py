@@ -33,6 +33,7 @@ from rotsolve.plan import Shortage
 from rotsolve.search.answers import CHECK_DATA, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
+from rotsolve.search.uncovered import why_uncovered
 from rotsolve.solver import ENTANGLED
 
 
@@ -40,6 +41,16 @@ def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | Non
     """Which law or line the data break; over a phase, that its end is never reached."""
     error = what_breaks(equation, scene, fallback)
     error.fault = replace(error.fault, broken=error.fault.kind in (CONTRADICTORY, UNREACHED))
+    return error
+
+
+def with_way(error: Unsolvable, search: Search) -> Unsolvable:
+    """A state that is never reached with where the motion goes instead, where that is known."""
+    from rotsolve.search.reached import instead_of_there
+
+    why = instead_of_there(error.state, search) if isinstance(error, NeverReached) and error.fault.broken else ""
+    if isinstance(error, NeverReached) and why:
+        error.retold(replace(error.fault, help=why))
     return error
 
 
@@ -51,6 +62,10 @@ def what_breaks(equation: Equation, scene: SceneEquations, fallback: Span | None
         span = timeline.state(open_).span or fallback
         return unsolvable(problem, f"nothing tells when `{open_}` is reached", span, LINE_OR_EVENT, kind=INCOMPLETE)
     line = next((condition for stated, condition in scene.stated if stated is equation), None)
+    if (stopped := stopped_before(equation.section, scene)) is not None:
+        start, why = stopped
+        span = line.span if line is not None else timeline.state(equation.section).span
+        return unreachable(problem, start, equation.section, span or fallback, why)
     if line is not None:
         path = path_text(line.path) if line.path is not None else line.owner
         message = f"the data contradict each other: what `{equation.section}` says of `{path}` can not be"
@@ -76,6 +91,15 @@ def what_breaks(equation: Equation, scene: SceneEquations, fallback: Span | None
         )
         return unreachable(problem, start, end, timeline.state(end).span or fallback, broken)
     return clash(problem, message, timeline.state(interval.end).span or fallback, broken)
+
+
+def stopped_before(state: str, scene: SceneEquations) -> tuple[str, str] | None:
+    """From which state a motion comes to rest before another one, and which body that is; None where it does not, or a time tells when."""
+    timeline = scene.configuration.timeline
+    interval = next((one for one in timeline.intervals if one.end == state and one.event is None), None)
+    if interval is None or not timeline.state(interval.start).opened or timeline.state(state).time_told is not None:
+        return None
+    return timeline.told(interval)[0], f"{timeline.state(interval.start).opened} before"
 
 
 def too_much_told(state: State, problem: Problem) -> str:
@@ -127,11 +151,12 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     """What is missing or contradictory for one question."""
     problem = search.scene.configuration.problem
     if error.equation is not None:
-        return contradicted(search.planner.pool[error.equation], search.scene, find.span)
+        return with_way(contradicted(search.planner.pool[error.equation], search.scene, find.span), search)
     alone = "" if NEWTON in search.families else f" by {FAMILIES[search.families[0]].words} alone"
     missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, search.scene)
     if other := law_that_gives(find, search) if search.thorough else "":
-        message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`"
+        reason = why_uncovered(search.families[0], find, search.scene)
+        message = f"{FAMILIES[search.families[0]].words} alone can not tell `{find.name}`{reason}"
         return unsolvable(problem, message, find.span, other)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)

@@ -49,7 +49,7 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         if passage is None:
             continue
         end, slowest = configuration.timeline.state(interval.end), creeping(passage, search, aside)
-        why = only_approached(passage, aside)
+        why = only_approached(passage, aside) or unchanging(passage, aside)
         turned = "" if why else not_grown(interval, passage, end, aside)
         why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
         why = why or only_neared(passage, search, aside)
@@ -61,6 +61,28 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         if why or turned:
             # what turns back at the other extreme may come to it from there
             yield never_reached(interval, configuration, why or turned, sure=bool(why))
+
+
+def instead_of_there(state: str, search: Search) -> str:
+    """Where a motion goes with a steady acceleration that does not come to a state, of which nothing but one value is told; '' where that
+    is not known."""
+    timeline = search.scene.configuration.timeline
+    ways = (one for one in timeline.intervals if one.event is None and not timeline.state(one.start).opened)
+    interval = next((one for one in ways if one.end == state), None)
+    told = [line for line in timeline.state(state).conditions if line.value is not None]
+    passage = search.scene.passages.get(interval.name) if interval is not None and len(told) == 1 else None
+    aside = search.apart(careful=True)
+    for travel in passage.travels if passage is not None else ():
+        found = [aside.settled(travel.acceleration), aside.settled(travel.before)]
+        push, start = (None if value is None else search.numbers.side(value) for value in found)
+        if travel.pace != CONSTANT or push is None or start is None:
+            continue
+        if push == start == 0:
+            return f"{spoken(travel.body)} stays where it is"
+        if push * start < 0:
+            return f"{spoken(travel.body)} comes to rest before, and turns back"
+        return f"{spoken(travel.body)} goes the other way, and nothing brings it back"
+    return ""
 
 
 def led_away_from(intervals: Iterable[Interval], search: Search) -> Iterator[NeverReached]:
@@ -88,6 +110,15 @@ def only_neared(passage: Passage, search: Search, aside: Search) -> str:
             sides = [None if value is None else search.numbers.side(value) for value in (last, gone)]
             if sides[0] == 0 and sides[1]:
                 return f"nothing drives {spoken(travel.body)} where it would come to rest"
+    return ""
+
+
+def unchanging(passage: Passage, search: Search) -> str:
+    """Why a speed does not become what a state tells, though the forces beside it vary: nothing drives what has it, at any place."""
+    for travel in passage.travels:
+        gained = search.settled(travel.after - travel.before) if travel.pace not in (CONSTANT, TIME) else None
+        if gained is not None and search.numbers.side(gained) and search.settled(travel.acceleration) == ZERO:
+            return f"{spoken(travel.body)} goes on as fast as it does"
     return ""
 
 

@@ -6,7 +6,7 @@ import sys
 
 from msgspec import Struct, field
 
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import MissingPackage, Unsolvable
 from rotsolve.page.columns import page_text
 from rotsolve.run import advancing, coloured
 from rotsolve.run.attempt import BAD, SOLVED, failure_outcome, name_of, piped, scene_source
@@ -80,11 +80,9 @@ def write_run(found: Run, request: SimulationRequest) -> int:
         failed = failure_outcome(request.file, error)
         return fail(failed.message, failed.code)
     if request.plot is not None:
-        from rotsolve.simulation.plot import NoPlots, plot_run
-
         try:
-            plot_run(found, request.plot, names)
-        except NoPlots as error:
+            found.plot(names, request.plot)
+        except MissingPackage as error:
             return fail(f"error: {error}", BAD)
         except OSError as error:
             return fail(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)

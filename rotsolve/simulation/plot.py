@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from functools import cache
+from io import StringIO
 from itertools import cycle
 from typing import Any
 
+from rotsolve.core.faults import missing_package
 from rotsolve.simulation.report import quantity_unit, quantity_word
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.senses import sense_words
@@ -15,30 +19,40 @@ RATES = ("velocity", "angular_velocity")
 MOST_MARKS = 12  # events that are named; of more only the lines are drawn
 COLOURS = ("#0b6e99", "#d1495b", "#5b8c3a", "#8d5a97", "#e08e1b", "#4a4e69")
 STYLES = {"x": "-", "y": "--", "z": ":"}
+UNSAID = ("Creator", "Date", "Format", "Type")  # that an SVG would say of itself
 INK, FAINT = "#2b2d33", "#d9dbe0"
 WIDE, TALL = 10.0, 1.9  # inches of the picture, and of a panel of few curves
 LETTERS, LINE = 8.5, 0.17  # points of a name, and inches from one to the next
 PER_LETTER = 0.0085  # of the width of a panel, for a letter of the name of an event
 
 
-class NoPlots(Exception):
-    """The package that draws is not there."""
-
-
-def plot_run(run: Run, path: str, names: Sequence[str]) -> None:
-    """Draw a motion into an .svg or .png file, the same for the same motion."""
+@cache
+def figure_kind() -> Any:
+    """The figures of matplotlib, which show themselves in a notebook."""
     try:
-        from matplotlib import rc_context
         from matplotlib.figure import Figure
     except ImportError:
-        raise NoPlots("drawing takes matplotlib: pip install 'rotsolve[plot]'") from None
+        raise missing_package("drawing takes", "matplotlib", "plot") from None
+
+    class RunFigure(Figure):  # type: ignore[misc]
+        """A motion as a picture."""
+
+        def _repr_svg_(self) -> str:
+            written = StringIO()
+            write_figure(self, written, "svg")
+            return written.getvalue()
+
+    return RunFigure
+
+
+def figure_of(run: Run, names: Sequence[str]) -> Any:
+    """A motion as a figure, the same for the same motion."""
     panels = panels_of(names)
     heights = [max(TALL, LINE * (len(held) + 2)) for held in panels.values()]
-    figure = Figure(figsize=(WIDE, 1.0 + sum(heights)), layout="constrained")
+    figure = figure_kind()(figsize=(WIDE, 1.0 + sum(heights)), layout="constrained")
     figure.suptitle(run.problem.title or run.problem.file, color=INK, fontsize=13, x=0.02, ha="left")
-    axes: Any = figure.subplots(len(panels), 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": heights})[
-        :, 0
-    ]
+    grid: Any = figure.subplots(len(panels), 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": heights})
+    axes = grid[:, 0]
     draw_curves(run, panels, axes, heights)
     rows = name_events(axes[0], run)
     for number, (axis, title) in enumerate(zip(axes, panels, strict=True)):
@@ -47,9 +61,16 @@ def plot_run(run: Run, path: str, names: Sequence[str]) -> None:
             axis.axvline(event.time, color=INK, linewidth=0.7, linestyle=":", alpha=0.6)
     axes[-1].set_xlabel("t in s", color=INK)
     axes[-1].set_xlim(0, run.end or 1)
-    dated = {"Date": None} if path.lower().endswith(".svg") else {}
+    return figure
+
+
+def write_figure(figure: Any, target: str | os.PathLike[str] | StringIO, kind: str | None = None) -> None:
+    """Write a figure into an .svg or .png file, without a date, and with the same names in it each time."""
+    from matplotlib import rc_context
+
+    plain = kind == "svg" or (kind is None and str(target).lower().endswith(".svg"))
     with rc_context({"svg.hashsalt": "rotsolve", "svg.fonttype": "none"}):
-        figure.savefig(path, dpi=150, metadata=dated)
+        figure.savefig(target, dpi=150, format=kind, metadata=dict.fromkeys(UNSAID) if plain else {})
 
 
 def draw_curves(run: Run, panels: dict[str, list[str]], axes: Any, heights: Sequence[float]) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from time import monotonic
@@ -15,7 +14,7 @@ from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
-from rotsolve.scene.read import read_source
+from rotsolve.scene.read import Source, read_source
 from rotsolve.scene.values import read_seconds
 from rotsolve.simulation.bounded import FLOAT_BITS, Regime, Tolerances, Unsettled
 from rotsolve.simulation.enclosing import enclosed
@@ -33,15 +32,15 @@ PATIENCE = 60.0  # seconds after which it is not tried any finer
 
 
 def simulate(
-    source: str | os.PathLike[str],
+    source: Source,
     until: str | float = "10 s",
     accuracy: float = 1e-9,
-    settings: Mapping[str, str] | None = None,
+    settings: Mapping[str, object] | None = None,
     tell: Callable[[float], None] | None = None,
     *,
     certified: bool = False,
 ) -> Run:
-    """Follow a scene in time from its first state: a path, or YAML text (text with a line break).
+    """Follow a scene in time from its first state: a path, YAML text (text with a line break), or a dict.
 
     `accuracy` is what the bound of each coordinate and speed may be, as a part of its largest size; `tell` is told how much is done.
     `certified` bounds are proved, at a price in time; such a motion ends where something may happen.

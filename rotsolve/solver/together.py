@@ -6,9 +6,9 @@ tells alone (a moment of inertia) comes first, then the linear block, A x = b, t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from functools import reduce
+from functools import partial, reduce
 from operator import mul
 
 from msgspec import Struct
@@ -132,7 +132,7 @@ class Together:
         return self.found[bits]
 
     def _certified(self, name: str) -> Certified:
-        return Certified(self._refined(name, 15), lambda digits: self._refined(name, digits), self._equals(name))
+        return Certified(self._refined(name, 15), partial(self._refined, name), partial(self._equals, name))
 
     def _refined(self, name: str, digits: int) -> Ball:
         """The number to so many digits."""
@@ -142,18 +142,14 @@ class Together:
             ball = self.at(bits)[name]
             if ball.rel_accuracy_bits() >= needed or bits > MOST_BITS:
                 return ball
-            if ball.contains(0) and self._equals(name)(Fraction(0)):
+            if ball.contains(0) and self._equals(name, Fraction(0)):
                 return arb(0)
             bits *= 2
 
-    def _equals(self, name: str) -> Callable[[Fraction], bool]:
+    def _equals(self, name: str, value: Fraction) -> bool:
         """Whether it is a number: some hundred digits do not tell it from that."""
-
-        def equals(value: Fraction) -> bool:
-            ball = self.at(TOLD)[name]
-            return bool(ball.contains(fmpq(value.numerator, value.denominator)) and ball.rad() < arb(2) ** (-TOLD // 2))
-
-        return equals
+        ball = self.at(TOLD)[name]
+        return bool(ball.contains(fmpq(value.numerator, value.denominator)) and ball.rad() < arb(2) ** (-TOLD // 2))
 
 
 def solved(stage: Stage, balls: RealBalls) -> dict[str, Ball]:

@@ -58,9 +58,35 @@ FILES: list[tuple[str, Any, str]] = [
     (
         "binary",
         bytes(range(256)) * 4,
-        "error: this is no text file: it holds a NUL byte\n  --> x.yaml\nhelp: a scene is YAML text in UTF-8\n",
+        "error: this is no text file: it holds a NUL byte\n  --> x.yaml\nhelp: save the file as UTF-8\n",
     ),
-    ("no UTF-8", b"title: caf\xe9\n", "error: line 1 is not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n"),
+    (
+        "Latin-1",
+        "title: café\nsource: Über Räder\n".encode("latin-1"),
+        "error: the byte E9 is not UTF-8: in Latin-1 it is `é`\n  --> x.yaml:1:11\n 1 | title: café\n   |           ^\n"
+        "help: save the file as UTF-8\n",
+    ),
+    (
+        "Windows-1252",
+        "title: a disc\nsource: “Räder”\n".encode("cp1252"),
+        "error: the byte 93 is not UTF-8: in Windows-1252 it is `“`\n  --> x.yaml:2:9\n 2 | source: “Räder”\n   |         ^\n"
+        "help: save the file as UTF-8\n",
+    ),
+    (
+        "UTF-16",
+        "title: x\n".encode("utf-16"),
+        "error: the file is UTF-16, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n",
+    ),
+    (
+        "UTF-16 without its mark",
+        "title: x\n".encode("utf-16-be"),
+        "error: the file is UTF-16, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n",
+    ),
+    (
+        "UTF-32",
+        "title: x\n".encode("utf-32"),
+        "error: the file is UTF-32, not UTF-8\n  --> x.yaml\nhelp: save the file as UTF-8\n",
+    ),
     (
         "10 MB",
         b"# nothing\n" * 1_000_000,

@@ -233,7 +233,11 @@ def test_standard_input(rotsolve: Run, engine: Any, monkeypatch: pytest.MonkeyPa
 def test_standard_input_that_is_not_text(rotsolve: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"\xff\xfe\x00")))
     ran = rotsolve("solve", "-")
-    assert (ran.code, ran.out, ran.err) == (2, "", "error: standard input is not UTF-8 text\n")
+    assert (ran.code, ran.out, ran.err) == (
+        2,
+        "",
+        "error: the file is UTF-16, not UTF-8\n  --> standard input\nhelp: save the file as UTF-8\n",
+    )
 
 
 def test_an_internal_error_shows_its_traceback_on_demand(rotsolve: Run, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -21,7 +21,9 @@ Run = Callable[..., Any]
 EXPECTED = Path(__file__).parent / "expected"
 
 
-@pytest.mark.parametrize("command", ["", "solve", "draw", "simulate", "key", "check", "elements", "schema"])
+@pytest.mark.parametrize(
+    "command", ["", "new", "solve", "draw", "simulate", "key", "check", "elements", "schema", "lsp"]
+)
 def test_help(rotsolve: Run, command: str, expected: Callable[[Path, str], None]) -> None:
     ran = rotsolve(*filter(None, [command]), "--help")
     assert (ran.code, ran.err) == (0, "")
@@ -88,7 +90,7 @@ def test_an_unknown_element(rotsolve: Run) -> None:
 
 
 def test_schema(rotsolve: Run) -> None:
-    from rotsolve.scene.reference import json_schema
+    from rotsolve.scene.schema import json_schema
 
     ran = rotsolve("schema")
     assert (ran.code, ran.err) == (0, "")
@@ -99,10 +101,13 @@ def python(code: str, *, cwd: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, "-c", code], cwd=cwd, capture_output=True, text=True, check=False)
 
 
-LOADED = "import sys; print(sorted({'sympy', 'numpy', 'scipy', 'rich', 'jsonschema'} & sys.modules.keys()))"
+HEAVY = {"sympy", "numpy", "scipy", "rich", "jsonschema", "pygls", "lsprotocol", "asyncio"}
+LOADED = f"import sys; print(sorted({HEAVY} & sys.modules.keys()))"
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["elements", "disc"], ["schema"]])
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["--version"], ["elements", "disc"], ["schema"], ["new"], ["lsp", "--help"]]
+)
 def test_commands_import_nothing_heavy(arguments: list[str], tmp_path: Path) -> None:
     code = (
         f"import atexit\natexit.register(lambda: exec({LOADED!r}))\nfrom rotsolve.cli import main\nmain({arguments!r})"

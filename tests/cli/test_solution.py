@@ -31,7 +31,7 @@ def solution() -> Solution:
     derivation = Derivation(
         "A fall", "", (), (), (), (), (Section("Falling"),), answers, (Check(("dimensions agree",)),)
     )
-    problem: Any = SimpleNamespace(file="fall.yaml")
+    problem: Any = SimpleNamespace(file="fall.yaml", givens=())
     return Solution(problem, derivation, Trace(lambda: "facts", forbidden, forbidden), 5)
 
 

@@ -13,7 +13,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Find, Problem
 from rotsolve.pipeline import solve, solve_problem
 from rotsolve.scene.read import read_file
-from rotsolve.solution import AnswerView
+from rotsolve.solution.answer import AnswerView
 from solutions import solved
 
 ROOT = Path(__file__).resolve().parents[2]

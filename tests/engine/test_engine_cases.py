@@ -10,7 +10,7 @@ import pytest
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
-from rotsolve.solution import AnswerView
+from rotsolve.solution.answer import AnswerView
 
 SLEDGE = """
 given: {m: kg, P: N, mu: number, t1: s}

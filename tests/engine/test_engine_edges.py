@@ -18,7 +18,7 @@ from rotsolve.page.text import plain_text
 from rotsolve.pipeline import solve
 from rotsolve.search.edges import Edge
 from rotsolve.search.letterspace import LetterSpace
-from rotsolve.solution import AnswerView
+from rotsolve.solution.answer import AnswerView
 
 BLOCKS = """
 title: Two blocks

@@ -15,7 +15,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import heading
 from rotsolve.pipeline import solve
-from rotsolve.solution import AnswerView
+from rotsolve.solution.answer import AnswerView
 
 WHEEL = """
 title: Wheel rolling faster and faster

@@ -9,7 +9,8 @@ import jsonschema
 import pytest
 import yaml
 
-from rotsolve.scene.reference import describe_word, generate, json_schema
+from rotsolve.scene.reference import describe_word, generate
+from rotsolve.scene.schema import json_schema
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "language.md").read_text(encoding="utf-8")
 

@@ -19,8 +19,9 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import FAMILIES, LAGRANGE
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Published
-from rotsolve.scene.reference import json_schema
-from rotsolve.solution import AnswerView, Solution
+from rotsolve.scene.schema import json_schema
+from rotsolve.solution import Solution
+from rotsolve.solution.answer import AnswerView
 from solutions import solved
 
 ACCURACY = Fraction(1, 10**9)

@@ -30,7 +30,8 @@ from rotsolve.core.derivation import Answer
 from rotsolve.language.problem import Given
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_file
-from rotsolve.solution import AnswerView, Solution
+from rotsolve.solution import Solution
+from rotsolve.solution.answer import AnswerView
 
 ROOT = Path(__file__).resolve().parents[2]
 RECORDS = Path(os.environ.get("SEED_ANSWERS", ROOT.parent / "shared" / "seed-answers.yaml"))

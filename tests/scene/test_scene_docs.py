@@ -12,7 +12,8 @@ from rotsolve.core.faults import SceneError
 from rotsolve.language.sheet_keys import LISTED, SHEET
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_text
-from rotsolve.scene.reference import BEGIN, describe_word, generate, json_schema, word_entries
+from rotsolve.scene.reference import BEGIN, describe_word, generate, word_entries
+from rotsolve.scene.schema import json_schema
 
 ROOT = Path(__file__).parent.parent.parent
 PAGE = ROOT / "docs" / "language.md"

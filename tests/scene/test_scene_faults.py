@@ -62,11 +62,14 @@ def test_message(old: str, new: str, message: str, expected: Any) -> None:
     [
         (b"", "error: the file is empty\n  --> FILE\nhelp: a scene needs at least `bodies` and `find`"),
         (b"# nothing\n", "error: the file is empty\n  --> FILE\nhelp: a scene needs at least `bodies` and `find`"),
-        (b"a\0b", "error: this is no text file: it holds a NUL byte\n  --> FILE\nhelp: a scene is YAML text in UTF-8"),
-        (b"a: 1\nb: \xff\n", "error: line 2 is not UTF-8\n  --> FILE\nhelp: save the file as UTF-8"),
+        (b"a\0b", "error: this is no text file: it holds a NUL byte\n  --> FILE\nhelp: save the file as UTF-8"),
+        (
+            b"a: 1\nb: \xff\n",
+            "error: the byte FF is not UTF-8: in Latin-1 it is `ÿ`\n  --> FILE:2:4\n 2 | b: ÿ\n   |    ^\nhelp: save the file as UTF-8",
+        ),
         (
             b"a: \x1b[31m\n",
-            "error: a control character, U+001B, in line 1\n  --> FILE\nhelp: a scene is YAML text in UTF-8",
+            "error: a control character, U+001B\n  --> FILE:1:4\n 1 | a: �[31m\n   |    ^\nhelp: remove it: a scene is plain text",
         ),
         (
             b"x" * 1_000_001,
@@ -100,7 +103,7 @@ def test_a_file_that_is_not_there(tmp_path: Path) -> None:
         ({"q": "3 kg"}, "error: --set `q`: no such given\n  --> s.yaml\nhelp: givens: m, M, R, mu"),
         ({"m": "3 m"}, "error: --set m: `m` is a mass (kg) in the file, but this is a length (m)\n  --> s.yaml"),
         ({"m": "3 kgg"}, "error: --set: unknown unit `kgg`\n  --> s.yaml\nhelp: did you mean `kg`?"),
-        ({"m": "Q"}, "error: --set: unknown letter `Q`\n  --> s.yaml\nhelp: givens: m, M, R, mu"),
+        ({"m": "Q"}, "error: --set: unknown letter `Q`\n  --> s.yaml\nhelp: givens: m, M, R, mu, unknown, number"),
     ],
 )
 def test_settings(settings: dict[str, str], message: str) -> None:

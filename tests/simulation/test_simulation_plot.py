@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve import simulate
 from rotsolve.simulation.choosing import chosen_names
-from rotsolve.simulation.plot import curve_label, curve_owner, ends_apart, panels_of, plot_run
+from rotsolve.simulation.plot import curve_label, curve_owner, ends_apart, panels_of
 from rotsolve.simulation.senses import sense_words
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
@@ -73,7 +73,7 @@ def test_a_plot_is_the_same_each_time(tmp_path: Path) -> None:
     run = simulate(PROBLEMS / "rolling/bowling-ball.yaml", 3.0)
     files = [tmp_path / "one.svg", tmp_path / "other.svg"]
     for file in files:
-        plot_run(run, str(file), chosen_names(run, ("motion", "normal_force")))
+        run.plot(("motion", "normal_force"), str(file))
     first, second = (file.read_text(encoding="utf-8") for file in files)
     assert first == second
     said = {item.text for item in ElementTree.fromstring(first).iter("{http://www.w3.org/2000/svg}text")}

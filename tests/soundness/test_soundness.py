@@ -16,7 +16,8 @@ from rotsolve.arrays import NotForMany
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_file
-from rotsolve.solution import AnswerView, Solution
+from rotsolve.solution import Solution
+from rotsolve.solution.answer import AnswerView
 
 SCENES = sorted((Path(__file__).parent / "scenes").glob("*.yaml"))
 RELATIVE = 1e-6

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
-from functools import cache
+from functools import partial
 from math import floor
 from typing import Any
 
-from msgspec import Struct
+from msgspec import Struct, field
 
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined, Values, with_values
 from rotsolve.algebra.exact.normal import is_zero
@@ -124,7 +124,7 @@ class Precision:
 
 
 class Certified(Struct, frozen=True, dict=True):
-    """A real number known to be inside a ball, with the means to know it better."""
+    """A real number known to be inside a ball, with the means to know it better, which are such as can be pickled."""
 
     ball: Ball
     refine: Callable[[int], Ball]  # digits -> a ball with that relative accuracy, or the best there is
@@ -286,16 +286,30 @@ def evaluate(
     known = {name: value if isinstance(value, Formula) else formula(value) for name, value in values.items()}
     found = roots or {}
     ball = _enclose(f, known, digits, max_precision, found)
-    return Certified(
-        ball,
-        lambda more: _enclose(f, known, more, max_precision, found),
-        lambda value: is_zero(with_values(f, known) - value),
-    )
+    refine = partial(_enclose, f, known, max_precision=max_precision, roots=found)
+    return Certified(ball, refine, partial(_is_number, f, known))
+
+
+def _is_number(f: Formula, values: Mapping[str, Formula], number: Fraction) -> bool:
+    """Whether a formula is worth exactly this."""
+    return is_zero(with_values(f, values) - number)
+
+
+class Remembered(Struct):
+    """What refines a number, which works each accuracy out once."""
+
+    refine: Callable[[int], Ball]
+    found: dict[int, Ball] = field(default_factory=dict)
+
+    def __call__(self, digits: int) -> Ball:
+        if digits not in self.found:
+            self.found[digits] = self.refine(digits)
+        return self.found[digits]
 
 
 def rounded_once(number: Certified) -> Certified:
     """A certified number that works each accuracy out once: what many others are made of."""
-    return Certified(number.ball, cache(number.refine), number.equals)
+    return Certified(number.ball, Remembered(number.refine), number.equals)
 
 
 def multiple_of(number: Certified, factor: Formula) -> Certified:

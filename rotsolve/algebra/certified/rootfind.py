@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, decided_by_size, ends
+from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, decided_by_size, ends, evaluate
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined, Values, with_values
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
@@ -176,15 +176,14 @@ def _certify(function: _Function, piece: tuple[Fraction, Fraction], digits: int)
     if low < 0 < high and _vanishes(function, Fraction(0)):
         low = high = Fraction(0)
     if low == high:
-        return Certified(_point(low), lambda _: _point(low), lambda value: value == low)
+        return evaluate(Number(low), {})
+    refine = partial(_newton, function, low, high)
+    return Certified(refine(digits), refine, partial(_is_root, function, low, high))
 
-    def refine(more: int) -> Ball:
-        return _newton(function, low, high, more)
 
-    def equals(value: Fraction) -> bool:
-        return low < value < high and bool(_vanishes(function, value))
-
-    return Certified(refine(digits), refine, equals)
+def _is_root(function: _Function, low: Fraction, high: Fraction, value: Fraction) -> bool:
+    """Whether the root between two numbers is this one."""
+    return low < value < high and bool(_vanishes(function, value))
 
 
 def _newton(function: _Function, low: Fraction, high: Fraction, digits: int) -> Ball:

@@ -26,10 +26,10 @@ class PinSlot(Connection, frozen=True):
     guiding = True
     slot: tuple[PointRef, ...] = key(
         "points",
-        "the pin, or the pin and where it is in the body that has the slot, `arm.at(x)`",
+        "the pin, or the pin and where it is in the body that has the slot, `arm.at(s)`",
         count=(1, 2),
         required=True,
-        example="[crank.end, arm.at(x)]",
+        example="[crank.end, arm.at(s)]",
     )
     along: Direction | None = key(
         "direction",

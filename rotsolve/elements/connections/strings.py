@@ -66,14 +66,25 @@ class String(Connection, frozen=True):
         default=(),
         choices=("left", "right", "up", "down"),
         refers=("body",),
+        example="{left: down}",
     )
     over: tuple[str, ...] = key(
-        "names", "pulleys that it passes over, turning them clockwise (the default)", default=(), refers=("body",)
+        "names",
+        "pulleys that it passes over, turning them clockwise (the default)",
+        default=(),
+        refers=("body",),
+        example="[pulley]",
     )
     under: tuple[str, ...] = key(
-        "names", "pulleys that it passes under, turning them counterclockwise", default=(), refers=("body",)
+        "names",
+        "pulleys that it passes under, turning them counterclockwise",
+        default=(),
+        refers=("body",),
+        example="[pulley]",
     )
-    along: str | None = key("name", "the surface that it runs along", default=None, refers=("surface",))
+    along: str | None = key(
+        "name", "the surface that it runs along", default=None, refers=("surface",), example="floor"
+    )
     mass: Formula | None = amount(
         "mass of the string (a heavy rope is a body, `shape: rope`)",
         "mass",

@@ -164,7 +164,13 @@ class Polygon(Cornered, frozen=True):
     about = "thin uniform polygon by its corners in order: corner1, corner2, …"
     points = ()
     corners: tuple[Place, ...] = key(
-        "corners", "corners in order", letter="x", count=(3, 40), default=(), required=True
+        "corners",
+        "corners in order",
+        letter="x",
+        count=(3, 40),
+        default=(),
+        required=True,
+        example="[[0, 0], [b, 0], [b, h]]",
     )
 
     def vertices(self) -> tuple[Place, ...]:

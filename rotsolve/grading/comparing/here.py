@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import partial
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Call, Formula, Integral
+from rotsolve.algebra.exact.normal import equal, simplify
+from rotsolve.algebra.formula import PI, Call, Formula, Integral, Number
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere, same_everywhere, value_at
 from rotsolve.grading.comparing.forms import term_count
 
 NOTHING = Fraction(1, 10**20)  # a share by which equal formulas may differ in balls
+ARCS = ("asin", "acos", "atan")
+MOST_ARCS = 6  # different ones in two formulas
+MULTIPLES = tuple(Fraction(sign * size, part) for size, part in ((1, 1), (2, 1), (1, 2)) for sign in (1, -1))
 SHORT = 500  # terms of a formula of which slopes are worked out
 
 
@@ -39,7 +43,8 @@ def same_here(left: Formula, right: Formula, domain: SampledRegion) -> bool | No
     if left.holds(Integral) or right.holds(Integral) or not close_everywhere(left, right, own, NOTHING):
         return False
     left, right = without_bars(left, own), without_bars(right, own)
-    return same_powers(left, right, own) or same_slopes(left, right, own) or None
+    ways = (same_powers, same_raised, same_slopes, same_arcs)
+    return any(way(left, right, own) for way in ways) or None
 
 
 def same_powers(left: Formula, right: Formula, domain: SampledRegion) -> bool:
@@ -47,8 +52,24 @@ def same_powers(left: Formula, right: Formula, domain: SampledRegion) -> bool:
     return any(domain.reference(right**power).is_exactly(left**power) for power in (1, 2, 4))
 
 
-def same_slopes(left: Formula, right: Formula, domain: SampledRegion) -> bool:
-    """Whether both formulas change alike with each of their letters, as arctan x + arccos(1/√(1 + x²)) and 2 arctan x."""
+def same_raised(left: Formula, right: Formula, domain: SampledRegion) -> bool:
+    """Whether both formulas are equal with letters for powers whose exponents hold letters, as x^(n + 1) and x xⁿ."""
+    from rotsolve.grading.comparing.raised import in_letters_for_powers  # few answers have such powers
+
+    told, positive = domain.region.told, domain.region.positive
+    left, right = left.substitute(told), right.substitute(told)
+    if max(map(term_count, (left, right))) > SHORT:
+        return False
+    try:
+        plain = in_letters_for_powers(left, right)
+        return plain is not None and equal(plain[0], plain[1], positive | plain[2])
+    except (ValueError, ArithmeticError):
+        return False
+
+
+def same_slopes(left: Formula, right: Formula, domain: SampledRegion, depth: int = 2) -> bool:
+    """Whether both formulas change alike with each of their letters, as arctan x + arccos(1/√(1 + x²)) and 2 arctan x; of what does not yet
+    show in the slopes, it may in theirs."""
     told, positive = domain.region.told, domain.region.positive
     left, right = left.substitute(told), right.substitute(told)
     if max(map(term_count, (left, right))) > SHORT:
@@ -62,9 +83,36 @@ def same_slopes(left: Formula, right: Formula, domain: SampledRegion) -> bool:
         return False
     return all(
         domain.reference(other).is_exactly(one)
-        or (close_everywhere(one, other, domain, NOTHING) and same_powers(one, other, domain))
+        or (
+            close_everywhere(one, other, domain, NOTHING)
+            and (same_powers(one, other, domain) or (depth > 1 and same_slopes(one, other, domain, depth - 1)))
+        )
         for one, other in slopes
     )
+
+
+def same_arcs(left: Formula, right: Formula, domain: SampledRegion) -> bool:
+    """Whether both formulas are equal with one arc put for others: √x arccos(1 − x/2) and 2 √x arcsin(√x/2), whose slopes hold arcs too."""
+    arcs = dict.fromkeys(node for side in (right, left) for node in side.walk(*ARCS))
+    if not 1 < len(arcs) <= MOST_ARCS:
+        return False
+    kept: list[Formula] = []
+    put: dict[Formula, Formula] = {}
+    for arc in arcs:
+        told = next((other for other in multiples_of(arc, kept) if close_everywhere(other, arc, domain, NOTHING)), None)
+        if told is not None and same_slopes(told, arc, domain):
+            put[arc] = told
+        else:
+            kept.append(arc)
+    sides = [side.transform(lambda node: put.get(node, node), *ARCS) for side in (left, right)]
+    return bool(put) and same_powers(sides[0], sides[1], domain)
+
+
+def multiples_of(arc: Formula, others: list[Formula]) -> Iterator[Formula]:
+    """What an arc may be in terms of others: k times one of them, and right angles."""
+    for other in others:
+        for times in MULTIPLES:
+            yield from (Number(times) * other + Number(Fraction(turns, 2)) * PI for turns in range(-2, 3))
 
 
 def without_bars(formula: Formula, domain: SampledRegion) -> Formula:

@@ -9,6 +9,8 @@ from math import floor, log10
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, rounded
+from rotsolve.algebra.certified.balls import with_values
+from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.quantities import unit_for
@@ -117,6 +119,8 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
         return found(WRONG, "direction", f"it points another way: {asked.direction}")
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
     holds = within_tolerance(signed, value, asked.marking.tolerance, unit)
+    if holds is None and is_same_number(signed, unit, asked):
+        holds = True
     if holds is None:
         return found(UNDECIDED, "tolerance", "it lies on the edge of the tolerance")
     if holds:
@@ -153,6 +157,16 @@ def turns_round(minus: bool, value: Certified, turned: bool) -> bool:
     wanted = (value.sign or 1) < 0
     agrees = minus if turned else not minus or wanted
     return minus != (wanted == agrees)
+
+
+def is_same_number(typed: Typed, unit: Unit, asked: Scalar) -> bool:
+    """Whether a number is exactly the one that is sought, √19.6 for √(2 · 9.8), which balls can't tell."""
+    if asked.closed is None or not asked.closed.symbols() <= asked.values.keys():
+        return False
+    try:
+        return equal(typed.value * unit.factor, with_values(asked.closed, asked.values))
+    except (ValueError, ArithmeticError):
+        return False
 
 
 def form_judged(typed: Typed, value: Certified, asked: Scalar) -> Finding:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
@@ -10,16 +9,16 @@ from typing import TYPE_CHECKING, TypeVar
 
 from msgspec.structs import replace
 
-from rotsolve.core.faults import Unsolvable
-from rotsolve.derivation.requirements import ROOT
+from rotsolve.core.faults import RotsolveError, Unsolvable
+from rotsolve.derivation.requirements import ROOT, SLIPS
 from rotsolve.grading.course.questions import Task
 from rotsolve.grading.verdict import Marked, Paper
-from rotsolve.language.problem import Problem
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
-from rotsolve.scene.read import read_source
+from rotsolve.scene.read import Source, read_source
 
 if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
     from rotsolve.core.derivation import Answer
     from rotsolve.grading.marking.explaining import Wrong
     from rotsolve.grading.marking.judge import Judge
@@ -30,11 +29,12 @@ if TYPE_CHECKING:
 
 HIGHEST = 10_000  # number of a variant
 NUMBER = re.compile(r"(?:variant|version|no\.?|#)?\s*(\d{1,5})(?:[.,]0+)?", re.IGNORECASE)
+Forms = tuple["Formula | None", ...]
 Given = TypeVar("Given")
 Done = TypeVar("Done")
 
 
-class NotMarked(ValueError):
+class NotMarked(RotsolveError, ValueError):
     """Why a paper can't be marked."""
 
 
@@ -84,15 +84,15 @@ def variant_of(paper: Paper) -> int:
 class Judges:
     """The judge of the scene as it stands, and of each variant by its number."""
 
-    def __init__(self, scene: str | os.PathLike[str] | Problem, seed: int, count: int | None) -> None:
+    def __init__(self, scene: Source, seed: int, count: int | None) -> None:
         self.seed, self.count = seed, count
-        self.problem = scene if isinstance(scene, Problem) else read_source(scene)
+        self.problem = read_source(scene)
         self.solution = solve_problem(self.problem).complete()
-        self._wrong: WrongAnswers | None = None
+        self._wrong: dict[Forms, WrongAnswers] = {}
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
         self.right: dict[
             int, tuple[Answer, ...]
-        ] = {}  # the answers to the variants that were asked for, 0 for the scene as it stands
+        ] = {}  # the answers to the variants that were asked for, 0 to the scene itself
 
     @property
     def task(self) -> Task:
@@ -110,7 +110,7 @@ class Judges:
         """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
         if number == 0:
             self.right[0] = self.solution.derivation.answers
-            return marker_of(self.solution)
+            return marker_of(self.solution, self.wrong_for(self.solution))
         if self.problem.vary is None:
             raise NotMarked("the problem has no `vary`, so there are no variants of it")
         if self.count is not None and number > self.count:
@@ -125,35 +125,40 @@ class Judges:
             raise NotMarked(error.fault.message) from None
         if worked is None:
             raise NotMarked("there are no variants that can be used")
+        self.right[number] = worked.answers
+        return self.judge_of(worked)
+
+    def judge_of(self, worked: Worked) -> Judge:
+        """The judge of a variant that is worked out already."""
         solution = self.varied(worked)
-        self.right[number] = solution.derivation.answers
-        return marker_of(solution, self.wrong_for(solution) if self.alike(solution) else None)
+        return marker_of(solution, self.wrong_for(solution))
 
     @cached_property
-    def smooth(self) -> bool:
-        """Whether no number decides what slips or holds, so that the problem with a mistake in it is solved alike for all numbers."""
+    def by_signs(self) -> bool:
+        """Whether numbers decide by their signs alone what slips or holds, so that those of variants can be told to decide alike."""
         validity = self.solution.trace.validity
-        return validity is not None and not set(validity().decided) - {ROOT}
+        return validity is not None and set(validity().decided) <= {SLIPS, ROOT}
 
-    def alike(self, solution: Solution) -> bool:
-        """Whether the formulas of a variant are those of the problem, so that those of its mistakes are too."""
+    def forms(self, solution: Solution) -> Forms | None:
+        """The formulas that a variant shares with others; None where it is by itself."""
         from rotsolve.grading.marking.target import entries_of_answer
 
-        own, others = (
-            [part.closed for answer in one.derivation.answers for part in entries_of_answer(answer) or (answer,)]
-            for one in (self.solution, solution)
-        )
-        return own == others and None not in own and self.smooth
+        answers = solution.derivation.answers
+        own = tuple(part.closed for answer in answers for part in entries_of_answer(answer) or (answer,))
+        return own if self.by_signs and None not in own else None
 
     def wrong_for(self, solution: Solution) -> Wrong:
-        """The answers to a variant with a mistake; the scene is solved with each mistake once for all variants."""
+        """The answers to a variant with a mistake; the scene is solved with each mistake once for all variants of the same formulas."""
 
         def wrong() -> WrongAnswers:
-            if self._wrong is None:
-                from rotsolve.grading.mistakes.table import WrongAnswers
+            from rotsolve.grading.marking.explaining import wrong_answers_of
 
-                self._wrong = WrongAnswers.of(self.problem)
-            return self._wrong.with_values(solution.problem.values)
+            forms = self.forms(solution)
+            if forms is None:
+                return wrong_answers_of(solution)
+            if forms not in self._wrong:
+                self._wrong[forms] = wrong_answers_of(solution)
+            return self._wrong[forms].with_values(solution.problem)
 
         return wrong
 

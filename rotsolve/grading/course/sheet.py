@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import codecs
 import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
@@ -15,11 +14,11 @@ from rotsolve.grading.reading.records import spelled_alike
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
 from rotsolve.run.attempt import PIPED
+from rotsolve.scene.encoding import decoded
 from rotsolve.scene.tree import List, Map, Node, Text, compose
 
 BYTES = 50_000_000  # a class of a hundred thousand, with its working
 MARK = "\ufeff"  # at the start of a file that a spreadsheet has saved as UTF-8
-OTHER_MARKS = {codecs.BOM_UTF16_LE: "UTF-16", codecs.BOM_UTF16_BE: "UTF-16"}
 SAVE = "save it as UTF-8; spreadsheets call it `CSV UTF-8`"
 LATEX = str.maketrans("", "", "\\{}$ ")  # $\omega_{0}$ is omega_0
 LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*[=:≈](?![=:≈])\s*(?P<text>.*)", re.DOTALL)
@@ -46,29 +45,15 @@ def content_of(file: str) -> str:
         raise file_error(f"can't read {quoted(file)}: {error.strerror or error}") from None
     if len(content) > BYTES:
         raise file_error(f"the file has more than {BYTES} bytes", "split the class", file)
-    return decoded(content, file).replace("\r\n", "\n").replace("\r", "\n")
+    try:
+        return decoded(content, file, SAVE).replace("\r\n", "\n").replace("\r", "\n")
+    except SceneError as error:
+        raise HandedInError(error.faults, error.lines, file) from None
 
 
 def bytes_of(path: Path) -> bytes:
     with path.open("rb") as stream:
         return stream.read(BYTES + 1)
-
-
-def decoded(content: bytes, file: str) -> str:
-    """The bytes as UTF-8."""
-    for mark, encoding in OTHER_MARKS.items():
-        if content.startswith(mark):
-            raise file_error(f"the file is {encoding}, not UTF-8", SAVE, file)
-    if b"\0" in content:
-        raise file_error("this is no text file: it holds a NUL byte", SAVE, file)
-    try:
-        return content.decode("utf-8")
-    except UnicodeDecodeError as error:
-        before = content[: error.start]
-        line = before.count(b"\n") + 1
-        start = before.rpartition(b"\n")[2].decode("utf-8")
-        byte = f"the byte {content[error.start]:02X}"
-        raise file_error(f"{byte} is not UTF-8", SAVE, file, Span(line, len(start) + 1)) from None
 
 
 def file_error(message: str, help: str = "", file: str = "", span: Span | None = None) -> HandedInError:
@@ -205,7 +190,7 @@ def single_text(name: str, node: Node, faults: list[Fault]) -> str:
     return ""
 
 
-def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_PARTS) -> Paper:
+def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_PARTS, file: str = "--answer") -> Paper:
     """The answers of the command line, each `a = …`, or the text alone where one thing is asked."""
     answers: dict[str, str] = {}
     faults: list[Fault] = []
@@ -222,7 +207,7 @@ def from_answers(texts: Sequence[str], asked: Sequence[str], parts: Parts = NO_P
             faults.append(unnamed_fault(text, said[0] if said else "", number, asked))
     given = as_whole_vectors({name: text for name, text in answers.items() if text}, asked, parts)
     if faults or not given:
-        raise HandedInError(faults or [no_answer_fault(asked, "=")], texts, "--answer")
+        raise HandedInError(faults or [no_answer_fault(asked, "=")], texts, file)
     return Paper("", given)
 
 

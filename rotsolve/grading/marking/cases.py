@@ -19,6 +19,7 @@ from rotsolve.core.remembered import remembered
 from rotsolve.grading.marking.target import SceneLetters, Target, entries_of_answer
 from rotsolve.grading.marking.texts import Defined, JudgedText, Texts
 from rotsolve.grading.reading.conditions import Claim, claims_in
+from rotsolve.grading.reading.tokens import MAX_LENGTH
 from rotsolve.grading.verdict import UNDECIDED, WRONG, Finding, Remark, all_findings
 from rotsolve.language.marks import CASE
 from rotsolve.solution import Solution
@@ -110,7 +111,7 @@ class Cases:
     def judged(self, target: Target, text: str, defined: Defined) -> JudgedText | None:
         """What is found in a text over all cases of an answer; None where there are none."""
         own = [region for region in (self.regions if self.told else ()) if target.name in region.answers]
-        if not own:
+        if not own or len(text) > MAX_LENGTH:
             return None
         order = [id(answer) for answer in self.branches(target.name)]
         claims = claims_in(text, own[0].texts.names(target))

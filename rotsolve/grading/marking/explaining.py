@@ -28,6 +28,7 @@ from rotsolve.grading.reading.records import LineReading
 from rotsolve.grading.verdict import WRONG, Finding, found
 from rotsolve.language import marks
 from rotsolve.language.problem import Given
+from rotsolve.solution import Solution
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.mistake import Mistake
@@ -78,6 +79,14 @@ def rounded_early(typed: Typed, factor: Formula, answers: tuple[Rounded, ...]) -
 # mistakes
 
 
+def wrong_answers_of(solution: Solution) -> WrongAnswers:
+    """The answers of a solved scene with each mistake in it, in the case that is printed first."""
+    from rotsolve.grading.mistakes.table import WrongAnswers  # a right answer needs none of them
+
+    points = solution.trace.points
+    return WrongAnswers.of(solution.problem, points[0] if points else {})
+
+
 class Explaining:
     """Finds the mistakes behind wrong answers; the scene is solved with each of them once, as far as they are needed."""
 
@@ -88,11 +97,7 @@ class Explaining:
     @cached_property
     def wrong_answers(self) -> WrongAnswers:
         """The answers of the scene with each mistake in it, the commonest first."""
-        from rotsolve.grading.mistakes.table import WrongAnswers  # a right answer needs none of them
-
-        points = self.letters.solution.trace.points  # of the case that is printed first
-        point = points[0] if points else {}
-        return WrongAnswers.of(self.letters.problem, point) if self._wrong is None else self._wrong()
+        return wrong_answers_of(self.letters.solution) if self._wrong is None else self._wrong()
 
     def number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """What a wrong number comes of; None where nothing tells. Its unit is the one that is asked for where it has none."""

@@ -142,6 +142,13 @@ class SceneLetters(Struct, frozen=True, dict=True):
         return {head: names[0] for head, names in found.items() if len(names) == 1}
 
     @cached_property
+    def near(self) -> dict[str, str]:
+        """What may be typed for letters of the scene, where no other can be meant, and the laws print none such."""
+        from rotsolve.grading.reading.near import near_letters  # most lines have the letters themselves
+
+        return near_letters(self.givens | self.told, {*self.printed, *self.bare})
+
+    @cached_property
     def numbers(self) -> dict[str, float]:
         """The numbers of givens and answers in SI units, as far as they have one."""
         found = {name: certified_number(value, {}) for name, value in self.values.items()}

@@ -9,21 +9,23 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, Formula, Symbol
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
+from rotsolve.grading.comparing.numbers import Typed, certified_number, rounds_to
 from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
 from rotsolve.grading.comparing.scalars import Close, Same
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Definitions, clause
-from rotsolve.grading.reading.lines import chain_members, without_asides
+from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
+from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, Remark, found
-from rotsolve.language.marks import FORM
+from rotsolve.language.marks import FORM, UNIT
 
 if TYPE_CHECKING:
     from rotsolve.grading.marking.axes import OtherAxes
@@ -73,6 +75,9 @@ class Texts:
     @remembered
     def judged(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
         """What is found in a text; `defined` are letters that the student brought in before."""
+        long = AnswerError.of_length(text)
+        if long is not None:
+            return unreadable(long)
         text = plain_width(text)
         if NOTHING.fullmatch(text):
             return JudgedText(None, found(WRONG, EMPTY, "not answered"))
@@ -85,12 +90,43 @@ class Texts:
         told = clause(text, self.names(target))
         if told is not None:
             text, defined = told[0], (*defined, told[1:])
-        return self._in_axes(target, without_asides(text, self.names(target)), defined)
+        return self._answering(target, text, defined)
+
+    def _answering(self, target: Target, text: str, defined: Defined) -> JudgedText:
+        """What is found in the last statement of a line that tells the answer; an earlier one with another value is said to be so."""
+        names = self.names(target)
+        line, before = last_statement(text, names)
+        one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)
+        near = names.near_name(line)
+        if near and one.reading is not None:
+            remark = Remark("letter", (Symbol(near), " is taken as ", Symbol(target.name)))
+            one = replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+        if before and self._is_other(target, before, defined):
+            remark = Remark(CHAIN, (f"`{before.strip()}` is another value",))
+            return replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+        return one
+
+    def _is_other(self, target: Target, before: str, defined: Defined) -> bool:
+        """Whether an earlier statement tells another answer."""
+        finding = self.judged(target, before, defined).finding
+        return finding.outcome == WRONG and not finding.flaws
 
     @remembered
     def names(self, target: Target, more: frozenset[str] = frozenset()) -> Names:
         """The letters that an answer may hold, those of the scene and more, and how many components it has."""
-        return Names(self.letters.givens | more, self.letters.told, target.name, len(target.parts) // target.rows)
+        components = len(target.parts) // target.rows
+        near = frozenset(typed for typed, name in self.letters.near.items() if name == target.name)
+        return Names(
+            self.letters.givens | more, self.letters.told, target.name, components, self.nouns(target.name), near
+        )
+
+    @remembered
+    def nouns(self, name: str) -> frozenset[str]:
+        """The words for what an answer is: those of its quantities, and of whose they are."""
+        finds = [find for find in self.letters.problem.finds if find.group == name]
+        paths = [term.path for find in finds for term in find.terms]
+        whose = [word for path in paths for word in (path.owner, path.point or "", path.quantity)]
+        return nouns_for(*whose, *(term.modifier for find in finds for term in find.terms))
 
     def _names_components(self, target: Target, text: str) -> bool:
         """Whether a text tells a vector or matrix by the names of its components."""
@@ -142,7 +178,8 @@ class Texts:
                 return bare
         chain = chain_members(text, self.names(target)) if target.rows == 1 else ()
         if chain:
-            return chain_judged([self._value(target, member, defined) for member in chain], chain)
+            found_in = [self._value(target, member, defined) for member in chain]
+            return exact_before_rounded(target, found_in, text) or chain_judged(found_in, chain)
         return self._value(target, text, defined)
 
     def _value(self, target: Target, text: str, defined: Defined) -> JudgedText:
@@ -175,6 +212,7 @@ class Texts:
                 others = (*others, *self._with_laws(line, target))
             except AnswerError as error:  # knows more letters, so that it blames the right one
                 best = unreadable(error)
+            others = others or self._with_near(line, target)
         if not others:
             return best
         other = self._best(target, text, with_direction(others, direction))
@@ -196,6 +234,21 @@ class Texts:
             for reading in read_line(line, names)
             if reading.formula is not None and (formula := self.letters.spelled_out(reading.formula)) is not None
         )
+
+    def _with_near(self, line: str, target: Target) -> tuple[LineReading, ...]:
+        """The readings of a line with letters that the scene does not have, each of which can mean only one of its own."""
+        from rotsolve.grading.reading.near import with_near
+        from rotsolve.grading.reading.quantities import quantity_readings
+
+        near = {typed: name for typed, name in self.letters.near.items() if name != target.name}
+        names, measured = self.names(target, frozenset(near)), self.letters.dimensions
+        measured |= {typed: measured[name] for typed, name in near.items() if name in measured}
+        try:
+            readings = read_line(line, names)
+        except AnswerError:
+            readings = ()
+        found = (*readings, *quantity_readings(line, names, measured, bool(readings)))
+        return tuple(with_near(reading, near) for reading in found)
 
     def _with_letters(self, line: str, target: Target, defined: Definitions) -> tuple[LineReading, ...]:
         """The readings of a line with letters that the student brought in."""
@@ -240,6 +293,33 @@ class Texts:
             return reading
         formula = None if reading.formula is None else self.letters.meant(reading.formula)
         return replace(reading, formula=formula, parts=tuple(self.meant(part) for part in reading.parts))
+
+
+def exact_before_rounded(target: Target, found_in: list[JudgedText], text: str) -> JudgedText | None:
+    """What is found in `√10 m/s ≈ 3 m/s`: an exact value or a formula that is right is the answer, whatever figures its rounded one has."""
+    *_, exact, rounded = found_in
+    if target.whole is None or exact.reading is None or rounded.reading is None or not _is_about(text):
+        return None
+    value, typed = exact.reading, rounded.reading
+    unit = typed.unit or value.unit or target.whole.unit
+    flaws = set(exact.finding.flaws) - ({UNIT} if typed.unit is not None else set())
+    right = (exact.finding.right or exact.finding.flaws) and not flaws
+    if not right or value.figures is not None or value.formula is None or typed.kind != NUMBER or typed.formula is None:
+        return None
+    factor = (value.unit or unit).factor if value.kind == NUMBER else ONE
+    number = certified_number(value.formula * factor / unit.factor, target.whole.values)
+    if not unit.dimension.matches(target.whole.dimension) or number is None:
+        return None
+    if not rounds_to(Typed(typed.formula, typed.figures), number):
+        return None
+    kept = tuple(remark for remark in exact.finding.remarks if remark.kind != "unit")
+    return replace(exact, finding=Finding(RIGHT, kept))
+
+
+def _is_about(text: str) -> bool:
+    """Whether the last sign between the members of a chain says that they are only nearly equal."""
+    signs = EQUALS.findall(text)
+    return bool(signs) and signs[-1] in ABOUT
 
 
 def chain_judged(found_in: list[JudgedText], chain: tuple[str, ...]) -> JudgedText:

@@ -25,8 +25,9 @@ from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import definition
+from rotsolve.grading.reading.near import with_near
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
-from rotsolve.grading.reading.tokens import plain_width
+from rotsolve.grading.reading.tokens import MAX_LENGTH, plain_width
 from rotsolve.grading.verdict import (
     RIGHT,
     UNDECIDED,
@@ -80,7 +81,7 @@ class WorkingJudge:
 
     def by_own_senses(self, texts: tuple[str, ...]) -> list[Verdict] | None:
         """The verdicts with the positive directions by which no line is wrong; None where there are none such."""
-        words = {word for text in texts for word in NAME.findall(text)}
+        words = {word for text in texts if len(text) <= MAX_LENGTH for word in NAME.findall(text)}
         senses = dict.fromkeys(
             sense for word in sorted(words) for name in self.meant(word) if (sense := self.letters.meanings.sense(name))
         )
@@ -113,6 +114,8 @@ class WorkingJudge:
         """The letters that the lines bring in: in which line, and what they stand for in letters of the scene."""
         found: list[tuple[int, str, Formula]] = []
         for index, text in enumerate(texts):
+            if len(text) > MAX_LENGTH:
+                continue
             told = definition(plain_width(text), self.names(tuple(name for _, name, _ in found)))
             if told is not None:
                 found.append((index, told[0], told[1].substitute({name: form for _, name, form in found})))
@@ -120,6 +123,9 @@ class WorkingJudge:
 
     @remembered
     def verdict(self, text: str, context: Context = PLAIN) -> Verdict:
+        long = AnswerError.of_length(text)
+        if long is not None:
+            return Verdict(UNDECIDED, "", (Remark("reading", (str(long),), long.start, long.end),))
         finding = all_findings(self.link(*link, context) for link in equations_of(plain_width(text)))
         return Verdict(finding.outcome, "", finding.remarks)
 
@@ -145,13 +151,29 @@ class WorkingJudge:
     def link(self, text: str, start: int, context: Context) -> Finding:
         """The finding for one equation of a line, which begins at `start`, by the reading that makes it right."""
         try:
-            readings = read_line(text, self.names(tuple(name for name, _ in context.defined)))
+            readings = self.readings(text, tuple(name for name, _ in context.defined))
         except AnswerError as error:
             kind = "undeclared" if error.unknown else "reading"
             remark = Remark(kind, (str(error),), start + error.start, start + error.end)
             return Finding(UNDECIDED, (remark,))
         tried = [self.equation(reading, text, context) for reading in readings]
         return next((finding for finding in tried if finding.right), tried[0])
+
+    def readings(self, text: str, defined: tuple[str, ...]) -> tuple[LineReading, ...]:
+        """All readings of an equation; with near letters where it has others than the scene."""
+        try:
+            return read_line(text, self.names(defined))
+        except AnswerError as error:
+            if not error.unknown:
+                raise
+            near = {
+                typed: name for typed, name in self.letters.near.items() if typed not in self.names(defined).letters
+            }
+            try:
+                readings = read_line(text, self.names((*defined, *near)))
+            except AnswerError:
+                raise error from None
+            return tuple(with_near(reading, near) for reading in readings)
 
     def equation(self, reading: LineReading, text: str, context: Context) -> Finding:
         """The finding for one reading of an equation: by each state at which its letters can be meant, the asked one first."""
@@ -162,6 +184,8 @@ class WorkingJudge:
         for put in self.states(sides[0].symbols() | sides[1].symbols()):
             left, right = (self.letters.meant(side.substitute(put)) for side in sides)
             finding = self.statement(self.turned(left, context), self.turned(right, context), text)
+            letters = tuple(remark for remark in reading.remarks if remark.kind == "letter")
+            finding = replace(finding, remarks=(*finding.remarks, *letters)) if letters else finding
             if finding.right:
                 return finding
             first = first or finding

@@ -150,9 +150,12 @@ class Scene(Struct, frozen=True, dict=True):
         problem = self.problem if change.problem is None else change.problem(self.problem)
         altered = change.altered if change.altered is None or change.about_contact else about_centres(change.altered)
         configuration = Configuration(problem, altered, self.forward)
-        modes = self.modes if change.problem is None else modes_of(configuration)
         families = tuple(family for family in families_for(None) if family not in change.aside)
-        search = Search(equations_by(configuration, modes), families, confirming=True)
+        if change.problem is None and altered is not None and altered.facts is None and not problem.space:
+            equations = self.equations.rewritten_by(configuration)
+        else:
+            equations = equations_by(configuration, self.modes if change.problem is None else modes_of(configuration))
+        search = Search(equations, families, confirming=True)
         answers = answers_of(search)
         return {} if change.throughout and disagreement(search) is not None else answers
 
@@ -237,6 +240,8 @@ class Differing(Struct, frozen=True):
             return False
         if right is None:
             return True
+        if wrong == right:
+            return False
         try:
             if equal(wrong, right, self.positive):
                 return False

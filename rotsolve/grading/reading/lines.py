@@ -26,10 +26,20 @@ _TRANSPOSED = re.compile(
 _ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
 _IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|(?<=\s)is\b)(?=\s*\S)")
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
-_PER = re.compile(r"(?<=[A-Za-z²³])(?P<blank>\s+)(?P<word>per|squared|cubed)\b")  # metres per second squared
-_PER_MARKS = {"per": "/", "squared": "^2", "cubed": "^3"}
-_HEAD = re.compile(r"\s*(?P<name>[^\W\d_²]\w*?)\s*(?:\^\s*2|²)?\s*[=≈]")
-_AGAIN = re.compile(r"[,;]\s*(?:(?:so|hence|thus|and)\s+)?(?P<name>[^\W\d_]\w*)\s*[=≈]")
+_PER = re.compile(  # metres per second squared
+    r"(?<=[A-Za-z²³Å\d])(?P<blank>\s+)(?P<word>per|pro|je|squared|cubed|zum [Qq]uadrat|hoch zwei|hoch drei)\b"
+)
+_PER_MARKS = {
+    **dict.fromkeys(("per", "pro", "je"), "/"),
+    **dict.fromkeys(("squared", "zum Quadrat", "zum quadrat", "hoch zwei"), "^2"),
+    **dict.fromkeys(("cubed", "hoch drei"), "^3"),
+}
+_SECONDS = re.compile(  # else it is the secant
+    r"(?<=[\d\s/·*])secs?(?![A-Za-z])\.?(?=\s*(?:\^?\(?[-−]?\d\)?|[⁻²³¹]+)?\s*(?:$|[/;,)*·]|per\b|squared|cubed))"
+)
+_SQUARE = re.compile(
+    r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?))\b"
+)
 _CLAUSE = re.compile(
     r"(?:[,;(]|\b(?:with|where|for|taking|using|and)\b)\s*(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
 )
@@ -53,6 +63,7 @@ _ENDINGS = "ft ht rd ds up wn se cw ck ne pe mp ll ow"
 ENDINGS = frozenset((*_ENDINGS.split(), *"←→↑↓↺↻"))  # the last letters of these words
 LONGEST_DIRECTION = 80  # columns of such words
 EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
+ABOUT = frozenset(("≈", "≃", "\\approx", "\\simeq"))
 # what stands between members
 _LEADS = re.compile(rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;")
 WORD_ENDS = ("s", ".", ",")  # how the leads end that are words
@@ -61,15 +72,14 @@ _NAME = r"\\?[^\W\d_][\w{}\\]*(?:\(t\))?"
 _ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
 _SET = str.maketrans("", "", "\\{}$ ")  # what only says how letters are set: \omega_{0} is omega_0
 # `a = 3 m/s², T` before another `=`
-_NEXT_ANSWER = re.compile(rf"(?:[,;\n]|\band\b|&|\\\\)\s*\$?\s*{_NAME}\s*$")
+_NEXT_ANSWER = re.compile(
+    rf"(?:[,;\n]|\b(?:and|or|so|hence|thus|then|therefore|und|oder)\b|&|\\\\)\s*\$?\s*{_NAME}\s*$"
+)
 CALLED = tuple(FUNCTION_NAMES)  # in the brackets behind them commas part arguments
 
 
 def without_asides(text: str, names: Names) -> str:
-    """The line without words that say nothing of its value; one that is too long for any stays as it is."""
-    if len(text) > MAX_LENGTH:
-        return text
-    text = from_last_telling(text, names)
+    """The line without words that say nothing of its value."""
     if _ABOUT.search(text):
         text = _ABOUT.sub(lambda match: match["before"] + blanks(match[0][len(match["before"]) :]), text)
     text = _ERROR.sub(lambda match: blanks(match[0]), text)
@@ -77,6 +87,8 @@ def without_asides(text: str, names: Names) -> str:
         text = _TRANSPOSED.sub(lambda match: blanks(match[0]), text)
     text = _IS.sub(lambda match: f"{match['name']}{'=':>{len(match['sign'])}}", text)
     text = _PER.sub(lambda match: match["blank"] + _PER_MARKS[match["word"]].ljust(len(match["word"])), text)
+    text = _SECONDS.sub(lambda match: "s".ljust(len(match[0])), text)
+    text = _SQUARE.sub(powered_behind, text)
     text = _CAPITAL.sub(lambda match: match[0].lower(), text)
     clause = _CLAUSE.search(text)
     before = "" if clause is None else text[: clause.start()].rstrip(" ,;")
@@ -85,13 +97,10 @@ def without_asides(text: str, names: Names) -> str:
     return text
 
 
-def from_last_telling(text: str, names: Names) -> str:
-    """The line from where it tells its answer again: v² = 2 a s = 5.9, v = 2.4 m/s."""
-    head = _HEAD.match(text)
-    if head is None or not names.is_asked(head["name"]):
-        return text
-    again = [match.start("name") for match in _AGAIN.finditer(text) if names.is_asked(match["name"])]
-    return text[again[-1] :].rjust(len(text)) if again else text
+def powered_behind(match: re.Match[str]) -> str:
+    """`square metres` as metres², in as many columns."""
+    power = "²" if match["power"] in ("square", "Quadrat") else "³"
+    return f"{match['unit']}{power}".ljust(len(match[0]))
 
 
 def blanks(words: str) -> str:

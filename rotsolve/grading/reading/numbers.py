@@ -17,11 +17,14 @@ from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, suggest
 from rotsolve.algebra.units.dimension import kind_of
 from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, UnitFactors
-from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
+from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS, Unit
 from rotsolve.grading.reading.records import NUMBER, LineReading, echo
+from rotsolve.grading.reading.unit_names import unit_called, units_called
 from rotsolve.grading.reading.vocabulary import LONGEST_RUN, REMEMBERED, read_formula, run_meaning
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
+PREFIXED_FIRST = ("mN", "mJ", "mW")  # `mNm` is mN m, since nobody writes m N
+KIND_OF_MARK = {"^": "^", "/": "/", "2": "number", "3": "number"}  # of what stands between units in a run
 UNIT_MARKS = frozenset(("*", ".", "/", "^", "(", ")", "[", "]", "raised", "number", "-", "°", "%"))
 PER_SECOND = {"ms": ("m", "s"), "rads": ("rad", "s")}  # before a negative power
 _INDEXED = re.compile(r"([A-Za-zµμ]+?)([23])")  # m/s2
@@ -42,8 +45,8 @@ def is_unit_run(name: str) -> bool:
 def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
     """The unit that tokens write, the last of which is an `end`."""
     words: list[Token] = []
-    for token in tokens:
-        if token.kind == ".":  # N.m is N·m
+    for index, token in enumerate(tokens):
+        if token.kind == "." or (token.kind == "-" and joins_units(tokens, index)):  # N.m and newton-metre are N·m
             words.append(Token("*", "*", token.start, token.end))
         else:
             words += _unit_symbols(token, tokens, forks) if token.kind in ("name", "°", "%") else [token]
@@ -52,14 +55,21 @@ def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
     return factors.unit()
 
 
+def joins_units(tokens: list[Token], index: int) -> bool:
+    """Whether a mark stands between two words without a gap, as in newton-metre."""
+    before, after = tokens[index - 1] if index else tokens[-1], tokens[index + 1]
+    close = before.end == tokens[index].start and tokens[index].end == after.start
+    return close and before.kind == after.kind == "name"
+
+
 @lru_cache(REMEMBERED)
 def units_in_run(name: str) -> tuple[str, ...]:
     """The units in a run of letters with the marks between them: `Nm` is N m, `m2` is m ^ 2; nothing if there is none."""
     if name in UNITS:
         return (name,)
-    meant = MEANT.get(name) or MEANT.get(name.lower())
-    if meant is not None:
-        return tuple(re.findall(r"[A-Za-zµ]+|/", meant))
+    meant = units_called(name)
+    if meant or unit_called(name) is not None:
+        return meant or (name,)
     powered = _INDEXED.fullmatch(name)
     if powered:
         before = units_in_run(powered[1])
@@ -68,7 +78,7 @@ def units_in_run(name: str) -> tuple[str, ...]:
 
 
 def _units_side_by_side(name: str) -> tuple[str, ...]:
-    for units in (BASIC, UNITS):
+    for units in (PREFIXED_FIRST, BASIC, UNITS):
         for unit in sorted(units, key=len, reverse=True):
             if name == unit:
                 return (unit,)
@@ -94,12 +104,11 @@ def _unit_symbols(token: Token, tokens: list[Token], forks: Forks) -> list[Token
 
 def _in_columns_of(words: tuple[str, ...], token: Token) -> list[Token]:
     """Words that stand side by side in the columns of one token."""
-    kinds = {"^": "^", "/": "/", "2": "number", "3": "number"}
     marks: list[Token] = []
     start = token.start
     for word in words:
         end = min(start + len(word), token.end) if word is not words[-1] else token.end
-        marks.append(Token(kinds.get(word, "symbol"), word, start, end))
+        marks.append(Token(KIND_OF_MARK.get(word, "symbol"), word, start, end))
         start = end
     return marks
 
@@ -114,7 +123,9 @@ def _collect_units(formula: Formula, power: int, factors: UnitFactors, tokens: l
     """The units of a product or quotient, to a power."""
     match formula:
         case Symbol(name):
-            factors.add(UNITS[name], power)
+            unit = unit_called(name)
+            assert unit is not None
+            factors.add(unit, power)
         case Product(parts):
             for part in parts:
                 _collect_units(part, power, factors, tokens)
@@ -259,8 +270,13 @@ def begins_with_letter(word: str, names: frozenset[str]) -> bool:
 
 
 def likely_number(parts: NumberAndUnit) -> bool:
-    """Whether `12 m` is likelier a length than a product of letters: by a decimal point, or by a space before m, N or km, not before g."""
+    """Whether `12 m` is likelier a length than a product of letters: by a decimal point, or by a space before m, N or km, not before g.
+
+    Of a rare unit, such as the megagram, the letters are likelier.
+    """
     last, first = parts.number[-2], parts.unit[0]
+    if any(token.text not in UNITS and unit_called(token.text) for token in parts.unit if token.kind == "name"):
+        return False
     if any("." in token.text for token in parts.number):
         return True
     if first.start == last.end:

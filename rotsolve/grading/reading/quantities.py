@@ -16,11 +16,12 @@ from rotsolve.algebra.notation.parse import HALF_TURN, Parser
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import NONE, Dimension, DimensionError, dimension_of, kind_of
 from rotsolve.algebra.units.quantities import unit_for
-from rotsolve.algebra.units.unit_table import MEANT, UNITS, Unit
+from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.grading.reading.answers import AnswerParser, answer_line
 from rotsolve.grading.reading.lines import with_points
 from rotsolve.grading.reading.numbers import (
     BASIC,
+    KIND_OF_MARK,
     begins_with_letter,
     is_kind,
     is_unit_run,
@@ -29,6 +30,7 @@ from rotsolve.grading.reading.numbers import (
     units_in_run,
 )
 from rotsolve.grading.reading.records import FORMULA, NUMBER, LineReading, Names
+from rotsolve.grading.reading.unit_names import unit_called, units_called
 from rotsolve.grading.reading.vectors import CLOSING, OPENING, end_at, with_remarks
 from rotsolve.grading.reading.vocabulary import StudentVocabulary, all_ways, read_formula, run_meaning
 from rotsolve.grading.verdict import Remark
@@ -182,7 +184,8 @@ class QuantityVocabulary(StudentVocabulary, frozen=True):
         assert isinstance(self.names, frozenset) and cursor.forks is not None
         if run_meaning(token.text, self.names) is not None:
             return cursor.forks.choose(cursor.tokens[index - 1].end < token.start or in_unit(cursor))
-        return token.text in UNITS or token.text in MEANT or not begins_with_letter(token.text, self.names)
+        known = unit_called(token.text) is not None or bool(units_called(token.text))
+        return known or not begins_with_letter(token.text, self.names)
 
 
 def behind_number(cursor: Cursor) -> bool:
@@ -208,7 +211,7 @@ def in_unit(cursor: Cursor) -> bool:
 
 def _unit_token(word: str, token: Token) -> Token:
     """A piece of a run of units in the columns of the run."""
-    kind = {"^": "^", "/": "/", "2": "number", "3": "number"}.get(word, "symbol")
+    kind = KIND_OF_MARK.get(word, "symbol")
     return Token(kind, UNIT_MARK + word if kind == "symbol" else word, token.start, token.end)
 
 
@@ -216,7 +219,8 @@ def _within(text: str, tokens: list[Token], names: Names, dimensions: Dimensions
     """A formula with units in it."""
     tokens = [Token("*", "*", token.start, token.end) if token.kind == "." else token for token in tokens]
     formula = Parser(text, list(tokens), QuantityVocabulary.of(names.letters), forks).formula()
-    units = {name: UNITS[name.removeprefix(UNIT_MARK)] for name in formula.symbols() if name.startswith(UNIT_MARK)}
+    marked = [name for name in formula.symbols() if name.startswith(UNIT_MARK)]
+    units = {name: unit for name in marked if (unit := unit_called(name.removeprefix(UNIT_MARK))) is not None}
     if any(word in unit.text for unit in units.values() for word in COUNTING):
         raise FormulaError("a number of turns stands by itself", tokens[0].start, tokens[-1].end)
     measured = _measured_dimension(formula, {**dimensions, **{name: unit.dimension for name, unit in units.items()}})

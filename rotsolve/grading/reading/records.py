@@ -14,9 +14,11 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, UnknownName
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.symbols import TIME
+from rotsolve.grading.reading.tokens import MAX_LENGTH
 from rotsolve.grading.verdict import Remark
 
 SHORT_TIME = "t"
+_TOLD = re.compile(r"[\s$\\]*([^\W\d_]\w*)\s*[=≈:]")
 _DEGREES = re.compile(r"(\d+(?:\.\d+)?) π/180(?!\d)")  # how 30° is printed, an exact number
 FORMULA, NUMBER, VECTOR, EQUATION = "formula", "number", "vector", "equation"
 
@@ -26,13 +28,16 @@ class Names(Struct, frozen=True, dict=True):
 
     `asked` is the one that the line is to tell: `a = …` may stand in front. Without it a line with `=` is an equation. `components` is
     how many it has where it is a vector, or in a row where it is a matrix; 0 where it is a number, or where that is not known.
-    Where the time is among the letters, t means it unless t is declared.
+    Where the time is among the letters, t means it unless t is declared. `nouns` are the words for what is asked, `near` what may be
+    typed for its letter, where no other can be meant.
     """
 
     givens: frozenset[str]
     answers: frozenset[str] = frozenset()
     asked: str = ""
     components: int = 0
+    nouns: frozenset[str] = frozenset()
+    near: frozenset[str] = frozenset()
 
     @classmethod
     def of(cls, givens: Iterable[str], answers: Iterable[str] = (), asked: str = "") -> Names:
@@ -54,7 +59,18 @@ class Names(Struct, frozen=True, dict=True):
         """Whether a spelling means the quantity that is asked for: `ω₀` is omega0."""
         if typed == self.asked or self.asked in spellings(typed):
             return True
-        return typed not in self.letters and spelled_alike(typed, self.asked)
+        return typed not in self.letters and (spelled_alike(typed, self.asked) or self.is_near(typed))
+
+    def is_near(self, typed: str) -> bool:
+        """Whether a letter that the scene does not have can only mean the quantity that is asked for."""
+        return bool(self.near) and not self.near.isdisjoint(spellings(typed))
+
+    def near_name(self, text: str) -> str:
+        """The near letter with which a line tells what is asked for; '' where it has the letter itself, or none."""
+        told = _TOLD.match(text)
+        if told is None or self.asked in spellings(told[1]) or spelled_alike(told[1], self.asked):
+            return ""
+        return spellings(told[1])[0] if told[1] not in self.letters and self.is_near(told[1]) else ""
 
 
 def spelled_alike(typed: str, name: str) -> bool:
@@ -124,3 +140,10 @@ class AnswerError(ValueError):
         """The fault of a formula within a line."""
         unknown = text[error.start : error.end] if isinstance(error, UnknownName) else ""
         return cls(error.message, error.start, error.end, error.suggestion, unknown)
+
+    @classmethod
+    def of_length(cls, text: str) -> AnswerError | None:
+        """The fault of a line that is too long for anything in it to be looked at; None where it is not."""
+        if len(text) <= MAX_LENGTH:
+            return None
+        return cls(f"the answer is too long: {len(text)} characters, at most {MAX_LENGTH}", MAX_LENGTH, len(text))

@@ -54,7 +54,7 @@ MARKS = {
     **{"⟨": "(", "⟩": ")", "∣": "|", "º": "°", "&": ";"},
 }
 _TOKEN = re.compile(
-    rf"(?P<space>[\s$~\u0302\u20d7]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵŷẑê]|[ijkxyz]\u0302|{RUN})"
+    rf"(?P<space>[\s$~\u0302\u20d7]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[ÅÅ](?:ngstr[öo]ms?)?|[îĵŷẑê]|[ijkxyz]\u0302|{RUN})"
     rf"|{RAISED}"
     r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
     r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"

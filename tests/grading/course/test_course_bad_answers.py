@@ -42,8 +42,14 @@ SAVE = "help: save it as UTF-8; spreadsheets call it `CSV UTF-8`\n"
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        ("name,a\nAda,g\nJos\xe9,g\n".encode("latin-1"), f"the byte E9 is not UTF-8\n  --> class.csv:3:4\n{SAVE}"),
-        ("name,a\nÉva,½ g\n".encode("cp1252"), f"the byte C9 is not UTF-8\n  --> class.csv:2:1\n{SAVE}"),
+        (
+            "name,a\nAda,g\nJos\xe9,g\n".encode("latin-1"),
+            f"the byte E9 is not UTF-8: in Latin-1 it is `é`\n  --> class.csv:3:4\n 3 | José,g\n   |    ^\n{SAVE}",
+        ),
+        (
+            "name,a\nÉva,½ g\n".encode("cp1252"),
+            f"the byte C9 is not UTF-8: in Latin-1 it is `É`\n  --> class.csv:2:1\n 2 | Éva,½ g\n   | ^\n{SAVE}",
+        ),
         ("name,a\nAda,g\n".encode("utf-16"), f"the file is UTF-16, not UTF-8\n  --> class.csv\n{SAVE}"),
         (b"PK\3\4\0\0\0\0", f"this is no text file: it holds a NUL byte\n  --> class.csv\n{SAVE}"),
     ],

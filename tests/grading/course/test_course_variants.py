@@ -127,7 +127,7 @@ def test_mistakes_of_a_variant_are_those_of_the_scene_with_its_numbers(
             for place in (0, 3, 5)
         ]
     shared = remarks(command, rows)
-    monkeypatch.setattr(Judges, "alike", lambda judges, solution: False)
+    monkeypatch.setattr(Judges, "forms", lambda judges, solution: None)
     assert remarks(command, rows) == shared
     assert sum("it looks as if" in said for said in shared) > 20
 

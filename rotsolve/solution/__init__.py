@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import builtins
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -14,20 +13,26 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
-from rotsolve.core.derivation import Answer, AnswerConfirmation, Check, Derivation, Refusal, Section
+from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.core.derivation import AnswerConfirmation, Check, Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.faults import Fault, Unsolvable
+from rotsolve.core.faults import Fault, Unsolvable, missing_package
+from rotsolve.language.words import hint
 from rotsolve.page.depth import DETAILS, FULL, NORMAL, NUMBERS, STEPS
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
 from rotsolve.page.languages import ENGLISH
+from rotsolve.solution.answer import AnswerView
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
+    from rotsolve.arrays import ManyAnswers
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Problem
     from rotsolve.search.acting import ActingWays
+    from rotsolve.solution.picture import PictureView
+    from rotsolve.solution.symbols import Symbols
 
 
 class Trace(Struct, frozen=True):
@@ -38,8 +43,7 @@ class Trace(Struct, frozen=True):
     plan: Callable[[], str]
     validity: Callable[[], Validity] | None = None  # for which numbers the closed forms hold
     meanings: Callable[[], Meanings] | None = None  # what the letters of the scene stand for
-    # the solution in letters of the case that some numbers are of, and the signs that it took
-    case: Callable[[Mapping[str, Formula]], tuple[Solution, Mapping[Formula, int]]] | None = None
+    anew: Callable[[Mapping[str, str], str | None], Resolved] | None = None  # with other values, at another time
     idle: tuple[Fault, ...] = ()  # what the scene says and nothing has read
     acting: Callable[[], ActingWays | None] = lambda: None  # what tells which way forces act
     by_law: Callable[[str], Derivation] | None = None  # the same questions by another law
@@ -48,144 +52,52 @@ class Trace(Struct, frozen=True):
     others: Callable[[str], tuple[Formula, ...]] = lambda _: ()
     points: tuple[Mapping[str, Fraction], ...] = ()  # numbers of which letters the cases of the answers were found
     confirmation: Callable[[], tuple[AnswerConfirmation, ...]] | None = None  # what an assembly says of the answers
+    again: Callable[[], Solution] | None = None  # the same solution, found once more
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What pickling keeps: how the scene is solved again, which is done when one of the stages is asked for."""
+        if self.again is None:
+            raise TypeError("only a whole solution can be pickled, as `rotsolve.solve` gives it")
+        told = {name: getattr(self, name) for name in self.__struct_fields__}
+        late = tuple(name for name, value in told.items() if name in LATE and value is not None)
+        return trace_again, (self.again, late, {name: told[name] for name in KEPT})
 
 
-class AnswerView(Struct, frozen=True):
-    """One answer, ready for use in Python. Numbers are in `unit`, signed in the declared sense."""
-
-    answer: Answer
-    digits: int = 4
-
-    @property
-    def name(self) -> str:
-        """The name under `find`."""
-        return self.answer.name
-
-    @property
-    def formula(self) -> Formula | None:
-        """The exact form as a formula; None where there is no closed form."""
-        return self.answer.formula
-
-    @property
-    def exact(self) -> str | None:
-        """The exact form as a textbook prints it."""
-        from rotsolve.algebra.notation.text import to_text
-
-        return None if self.answer.formula is None else to_text(self.answer.formula)
-
-    @property
-    def value(self) -> str | None:
-        """The number as text, every digit of it certified, as `-4.5e-05` where it is small; None without one."""
-        from rotsolve.page.values import certified_digits, machine_number
-
-        return machine_number(certified_digits(self.answer.value, self.digits)[0]) or None
-
-    @property
-    def float(self) -> builtins.float | None:
-        """The number as a float."""
-        return None if self.answer.value is None else self.answer.value.float
-
-    @property
-    def unit(self) -> str:
-        """The unit of `value`, '' for a pure number."""
-        return "" if self.answer.unit is None else self.answer.unit.text
-
-    @property
-    def direction(self) -> str:
-        """The direction in words, '' where there is none."""
-        return self.answer.direction
-
-    @property
-    def angle(self) -> builtins.float | None:
-        """The angle of a slanted vector to the horizontal, in degrees; None of all else."""
-        return None if self.answer.angle is None else self.answer.angle.float
-
-    @property
-    def conditions(self) -> tuple[str, ...]:
-        """What letters have to fulfil for it to hold: ("P ≤ μ m g",)."""
-        from rotsolve.algebra.notation.text import to_text
-
-        sides = ((to_text(one.left), one.relation, to_text(one.right)) for one in self.answer.conditions)
-        return tuple(map(" ".join, sides))
-
-    @property
-    def otherwise(self) -> tuple[AnswerView, ...]:
-        """The answers under other conditions."""
-        return tuple(AnswerView(other, self.digits) for other in self.answer.otherwise)
-
-    @property
-    def branches(self) -> tuple[AnswerView, ...]:
-        """It and the answers under other conditions."""
-        return self, *self.otherwise
-
-    @property
-    def word(self) -> str:
-        """The answer to a question that asks for a word: "slips"."""
-        return self.answer.word
-
-    @property
-    def components(self) -> Mapping[str, AnswerView]:
-        """The parts of a vector answer by name: `v_x` and `v_y` of `v`."""
-        return MappingProxyType({part.name: AnswerView(part, self.digits) for part in self.answer.components})
-
-    @property
-    def sympy(self) -> Any:
-        """The exact form as a SymPy expression; SymPy is imported here."""
-        from rotsolve.algebra.sympy_bridge import to_sympy
-
-        return None if self.answer.formula is None else to_sympy(self.answer.formula)
-
-    def __repr__(self) -> str:
-        return f"<AnswerView {self}>"
-
-    def __str__(self) -> str:
-        from rotsolve.page.text import answer_text
-        from rotsolve.page.values import answer_row
-
-        return answer_text(answer_row(self.answer, self.digits))
+KEPT = ("idle", "points", "again", "anew")
+LATE = ("acting", "facts", "equations", "plan", "validity", "meanings", "by_law", "letter", "others", "confirmation")
 
 
-class PictureView(Struct, frozen=True):
-    """The picture of a scene at one of its states, the first unless another is named; drawn when it is asked for."""
+def trace_again(again: Callable[[], Solution], late: Iterable[str], kept: Mapping[str, Any]) -> Trace:
+    """The stages of a solution that has been pickled: it is solved again when one of them is asked for."""
+    found: list[Trace] = []
 
-    problem: Problem
-    state: str = ""
-    acting: Callable[[], ActingWays | None] = lambda: None
+    def stage(name: str, *given: Any) -> Any:
+        if not found:
+            found.append(again().trace)
+        return getattr(found[0], name)(*given)
 
-    def at(self, state: str) -> PictureView:
-        """The same scene at another state."""
-        return replace(self, state=state)
-
-    @property
-    def svg(self) -> str:
-        """The scene as SVG."""
-        from rotsolve.draw.paper.svg import svg
-        from rotsolve.draw.pictures import scene_picture
-
-        return svg(scene_picture(self.problem, self.state))
-
-    @property
-    def tikz(self) -> str:
-        """The scene as a `tikzpicture`."""
-        from rotsolve.draw.paper.tikz import tikz
-        from rotsolve.draw.pictures import scene_picture
-
-        return tikz(scene_picture(self.problem, self.state))
-
-    @property
-    def free_bodies(self) -> str:
-        """The free-body diagrams as SVG: at the states of which the scene asks, unless another is named."""
-        from rotsolve.draw.paper.svg import svg
-        from rotsolve.draw.pictures import free_body_picture
-
-        return svg(free_body_picture(self.problem, self.state, self.acting()))
-
-    def _repr_svg_(self) -> str:
-        return self.svg
+    made: dict[str, Any] = {**kept, **{name: partial(stage, name) for name in late}}
+    return Trace(**made)
 
 
-class Solution(Struct, frozen=True, dict=True):
-    """A solved scene: `print` it for the derivation, or take its parts."""
+class Resolved(Struct, frozen=True):
+    """A scene solved again with other values: its solution, or `why` it has none; of what numbers were `asked` on the way.
+
+    Where more than signs of numbers has decided something it is `by_size`: other numbers of the same signs may decide otherwise.
+    """
+
+    solution: Solution | None
+    why: str
+    asked: tuple[Formula, ...]
+    by_size: bool
+
+
+class Solution(Struct, frozen=True, dict=True, eq=False):
+    """A solved scene: `print` it for the derivation, take its answers by their names, `solution["a"]`, or its parts.
+
+    Two are equal where they answer the same problem with the same. It can be pickled: the answers and the derivation travel, what comes
+    before them is worked out again where it is asked for.
+    """
 
     problem: Problem
     derivation: Derivation
@@ -195,7 +107,76 @@ class Solution(Struct, frozen=True, dict=True):
     @cached_property
     def answers(self) -> Mapping[str, AnswerView]:
         """The answers by their names under `find`."""
-        return MappingProxyType({answer.name: AnswerView(answer, self.digits) for answer in self.derivation.answers})
+        letters = tuple(given.name for given in self.problem.givens)
+        return MappingProxyType(
+            {answer.name: AnswerView(answer, self.digits, letters) for answer in self.derivation.answers}
+        )
+
+    def __getitem__(self, name: str) -> AnswerView:
+        """The answer of a name, `alpha` or `α`; raises the reason of a question that has none, KeyError where there is no such question."""
+        if name in self.answers:
+            return self.answers[name]
+        meant = {printed: own for own in (*self.answers, *self.refused) for printed in (own, name_to_text(own))}
+        if meant.get(name) in self.refused:
+            raise self.refused[meant[name]]
+        if name not in meant:
+            raise KeyError(f"nothing is asked by the name `{name}`: {hint(name, tuple(self.answers), 'answers')}")
+        return self.answers[meant[name]]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.answers)
+
+    def __len__(self) -> int:
+        return len(self.answers)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.answers
+
+    def keys(self) -> Iterable[str]:
+        """The names of the answers."""
+        return self.answers.keys()
+
+    def values(self) -> Iterable[AnswerView]:
+        """The answers."""
+        return self.answers.values()
+
+    def items(self) -> Iterable[tuple[str, AnswerView]]:
+        """The answers with their names."""
+        return self.answers.items()
+
+    @cached_property
+    def symbols(self) -> Symbols:
+        """The letters of the scene as SymPy has them, `solution.symbols.m`; SymPy is imported when one is asked for."""
+        from rotsolve.motion.positive import positive_letters
+        from rotsolve.solution.symbols import Symbols
+
+        made = (
+            part.closed or part.formula for answer in self.derivation.answers for part in (answer, *answer.components)
+        )
+        letters = (name for form in made if form is not None for name in sorted(form.symbols()))
+        names = dict.fromkeys((*(given.name for given in self.problem.givens), *letters))
+        return Symbols(names, positive_letters(self.problem.givens))
+
+    def to_frame(self) -> Any:
+        """The answers as a table of pandas, a row for each, of vectors and tensors a row for each part, `L.x`."""
+        from rotsolve.solution.frames import frame_of_answers
+
+        return frame_of_answers(self)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Solution):
+            return NotImplemented
+        mine, theirs = ((one.problem, one.digits, dict(one.answers), list(one.refused)) for one in (self, other))
+        return mine == theirs
+
+    def __hash__(self) -> int:
+        return hash((self.problem.lines, self.problem.settings, self.digits, tuple(self.answers.values())))
+
+    def __deepcopy__(self, _: Any) -> Solution:
+        return self
+
+    def __dask_tokenize__(self) -> tuple[Any, ...]:
+        return "rotsolve", self.problem.lines, self.problem.settings, self.digits, tuple(map(str, self.values()))
 
     @cached_property
     def refused(self) -> Mapping[str, Unsolvable]:
@@ -245,33 +226,28 @@ class Solution(Struct, frozen=True, dict=True):
 
     def evaluate_many(
         self, values: Mapping[str, Any], *, certified: bool = False, as_decided: bool = False
-    ) -> dict[str, Any]:
+    ) -> ManyAnswers:
         """The answers for many sets of givens at once, by NumPy: `values` are numbers or arrays in SI units, by the givens' names.
 
-        Givens that are left out keep their values. Results are in the answers' units, NaN where a string would go slack, a contact
-        open, or a sign on which the scene hangs be another. `certified` gives pairs of arrays, values and bounds on their errors. Where the
-        numbers have decided more (what slips, which root is meant) each set is answered by the case that it is of, unless all are to be
-        answered `as_decided` by those of the scene. Else some of the sets, the smallest and largest among them, are held against the
-        assembly of all bodies' equations: NotForMany with the set where it contradicts one, or with which no such scene can be.
+        Givens that are left out keep their values. Each set gets what solving the scene for it gives: the arrays, by the answers' names
+        and in their units, hold NaN where that is no number, and `reasons` of what comes back says why. `certified` gives pairs of arrays,
+        values and bounds on their errors. Arrays of dask give arrays of dask. `as_decided` takes the closed forms of this solution for all
+        sets, without a look at what its numbers have decided. Raises NotForMany where no set has an answer, or a name is that of no given.
         """
-        from rotsolve.arrays import NotForMany, evaluate_many
+        from rotsolve.arrays import NotForMany
 
-        valid = None if self.trace.validity is None else self.trace.validity()
-        if valid is None:
+        if self.trace.anew is None or self.trace.validity is None:
             raise NotForMany("how the answers were found is not known: solve the scene again")
-        if as_decided:
-            return evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
-        if self.trace.case is not None and (valid.decided or self.by_cases):
-            from rotsolve.arrays.cases import evaluate_by_cases
+        try:
+            from rotsolve.arrays.many import answers_as_decided, answers_of_sets
+        except ModuleNotFoundError:
+            raise missing_package("arrays take", "NumPy", "arrays") from None
+        return (answers_as_decided if as_decided else answers_of_sets)(self, values, certified)
 
-            found = evaluate_by_cases(self.trace.case, self.problem.givens, valid, values, certified)
-        else:
-            found = evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
-        from rotsolve.arrays.held import hold_sets
-
-        numbers = {name: result[0] for name, result in found.items()} if certified else found
-        hold_sets(self.problem, self.derivation.answers, self.trace.letter, values, numbers)
-        return found
+    @cached_property
+    def cases(self) -> dict[frozenset[str], list[Any]]:
+        """What has been solved for sets of other values, by the names of these."""
+        return {}
 
     @property
     def by_cases(self) -> bool:
@@ -334,6 +310,8 @@ class Solution(Struct, frozen=True, dict=True):
     @property
     def picture(self) -> PictureView:
         """The picture of the scene, which a notebook shows."""
+        from rotsolve.solution.picture import PictureView
+
         return PictureView(self.problem, acting=self.trace.acting)
 
     def __repr__(self) -> str:
@@ -343,7 +321,9 @@ class Solution(Struct, frozen=True, dict=True):
         return self.to("text").rstrip("\n")
 
     def _repr_html_(self) -> str:
-        return self.body("html")
+        from rotsolve.page.html_rows import notebook_piece
+
+        return notebook_piece(self.body("html"))
 
     def _repr_markdown_(self) -> str:
         return self.to("markdown")
