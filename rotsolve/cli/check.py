@@ -11,7 +11,10 @@ from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly, page_width
 
 Problem = Annotated[
-    str, typer.Argument(metavar="PROBLEM", help="The scene that was set; - reads one from standard input.")
+    str,
+    typer.Argument(
+        metavar="PROBLEM", help="The scene that was set, or a sheet file; - reads a scene from standard input."
+    ),
 ]
 Answers = Annotated[
     str | None,
@@ -38,6 +41,9 @@ Pages = Annotated[
 Number = Annotated[
     int | None, typer.Option("--variant", metavar="K", min=1, help="The variant of papers that name none.")
 ]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Mark a class by so many processes.")]
+Shown = Annotated[bool, typer.Option("--answers", help="Show the right answers on the pages of students.")]
+Anew = Annotated[bool, typer.Option("--anew", help="Forget the papers that earlier runs have put into the report.")]
 Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, help="How many variants there are.")]
 
 
@@ -51,6 +57,9 @@ def check_command(
     variants: Count = None,
     seed: Seed = 1,
     width: Width = None,
+    jobs: Jobs = 1,
+    answers_shown: Shown = False,
+    anew: Anew = False,
 ) -> None:
     """Mark the answers of a student or of a class.
 
@@ -59,6 +68,8 @@ def check_command(
       rotsolve check problems/pulleys/block-on-disc.yaml --answer "a = 2mg/(2m+M)"
       rotsolve check problems/pulleys/block-on-disc.yaml ada.txt --variant 7
       rotsolve check problems/pulleys/block-on-disc.yaml class.csv -o report
+      rotsolve check homework4.yaml class.csv -o report --answers
+      rotsolve check homework4.yaml late.csv -o report
 
     \b
     Exit codes:
@@ -70,7 +81,7 @@ def check_command(
 
     if (answers is None) == (not typed):
         raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
-    chosen = (output, format, variant, variants, seed, width or page_width(output))
+    chosen = (output, format, variant, variants, seed, width or page_width(output), jobs, answers_shown, anew)
     request = CheckRequest(problem, answers or "", tuple(typed or ()), *chosen)
     if FORMATS[request.shown_as].binary:
         ready_for_bytes(request.shown_as, output)

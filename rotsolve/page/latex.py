@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import ClassVar
 
 from rotsolve.page import blocks
+from rotsolve.page.bars import Bars
 from rotsolve.page.blocks import (
     BOLD,
     BOTH,
@@ -48,9 +49,8 @@ class Latex(TexPrinter):
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
         rows, sheets = LatexRows(self), LatexSheets(self).own()
-        return (
-            super().own() | sheets | {blocks.Picture: picture_in_tikz, Formulas: rows.formulas, Answers: rows.answers}
-        )
+        drawn = dict.fromkeys((blocks.Picture, Bars), picture_in_tikz)
+        return super().own() | sheets | drawn | {Formulas: rows.formulas, Answers: rows.answers}
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         said = self.words(block.words)

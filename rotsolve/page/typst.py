@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.notation.typst import number_to_typst, to_typst, typst_string, unit_in_typst
 from rotsolve.page import blocks
+from rotsolve.page.bars import Bars
 from rotsolve.page.blocks import BOLD, BOTH, CODE, FAULT, ITALIC, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.pictures import picture_in_typst
 from rotsolve.page.printer import Lines, Printer
@@ -60,6 +61,7 @@ class Typst(Printer):
             | TypstSheets(self).own()
             | {
                 blocks.Picture: picture_in_typst,
+                Bars: picture_in_typst,
                 blocks.Labels: rows.labels,
                 blocks.Formulas: rows.formulas,
                 blocks.Answers: rows.answers,

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import RotsolveError, Unsolvable
 from rotsolve.derivation.requirements import ROOT, SLIPS
-from rotsolve.grading.course.report.student import Task
+from rotsolve.grading.course.questions import Task
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
@@ -19,6 +19,7 @@ from rotsolve.scene.read import Source, read_source
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
+    from rotsolve.core.derivation import Answer
     from rotsolve.grading.marking.explaining import Wrong
     from rotsolve.grading.marking.judge import Judge
     from rotsolve.grading.mistakes.table import WrongAnswers
@@ -89,6 +90,9 @@ class Judges:
         self.solution = solve_problem(self.problem).complete()
         self._wrong: dict[Forms, WrongAnswers] = {}
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
+        self.right: dict[
+            int, tuple[Answer, ...]
+        ] = {}  # the answers to the variants that were asked for, 0 for the scene as it stands
 
     @property
     def task(self) -> Task:
@@ -105,6 +109,7 @@ class Judges:
     def judge(self, number: int) -> Judge:
         """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
         if number == 0:
+            self.right[0] = self.solution.derivation.answers
             return marker_of(self.solution, self.wrong_for(self.solution))
         if self.problem.vary is None:
             raise NotMarked("the problem has no `vary`, so there are no variants of it")
@@ -120,11 +125,15 @@ class Judges:
             raise NotMarked(error.fault.message) from None
         if worked is None:
             raise NotMarked("there are no variants that can be used")
-        return self.judge_of(worked)
-
-    def judge_of(self, worked: Worked) -> Judge:
-        """The judge of a variant that is worked out already."""
         solution = self.varied(worked)
+        self.right[number] = solution.derivation.answers
+        return self.judge_of(solution)
+
+    def judge_worked(self, worked: Worked) -> Judge:
+        """The judge of a variant that is worked out already."""
+        return self.judge_of(self.varied(worked))
+
+    def judge_of(self, solution: Solution) -> Judge:
         return marker_of(solution, self.wrong_for(solution))
 
     @cached_property

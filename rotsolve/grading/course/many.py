@@ -3,40 +3,50 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from msgspec.structs import replace
 
 from rotsolve.grading.course.command import ALL_RIGHT, BAD, NOT_ALL_RIGHT, CheckRequest, all_right, show_page
-from rotsolve.grading.course.examiner import Judges, mark_papers
-from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
-from rotsolve.grading.course.report.summary import (
-    MarkedClass,
-    Result,
-    SummaryPage,
-    doubtful_variants,
-    overview,
-    without_column,
-)
+from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.overrides import OVERRIDES, read_overrides, with_overrides
+from rotsolve.grading.course.papers import PAPERS, KnownStudent, KnownStudents, papers_table, read_papers, with_file
+from rotsolve.grading.course.report.folder import MARKS, SUMMARY, byte_order, write_report
+from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, known_to_canvas, known_to_moodle, with_all_marks
+from rotsolve.grading.course.report.results import MarkedClass, Result
+from rotsolve.grading.course.report.summary import NAMED, SummaryPage, doubtful_variants, overview, without_column
 from rotsolve.grading.course.sheet import content_of
-from rotsolve.grading.course.table import Entry, read_table
-from rotsolve.grading.verdict import Marked, Paper
+from rotsolve.grading.course.students import names_apart
+from rotsolve.grading.course.table import Entry, Handed, read_table
 from rotsolve.page.formats import FORMATS, PAGES, format_named
 from rotsolve.page.text import plain_text
 from rotsolve.run import advancing, same_file
+from rotsolve.run.delivery import write_file
 
+TOLD = {
+    MOODLE: "Moodle finds students by their number, email address or user name, which the class does not tell",
+    CANVAS: "Canvas finds students by their number, user name or name, which the class does not tell",
+}
 HTML = "html"  # the pages of a report, where nothing else is asked for
 
 
-def check_class(request: CheckRequest, judges: Judges) -> int:
+def check_class(request: CheckRequest, examination: Examination) -> int:
     """Mark a class; the exit code says whether all of it is right."""
     fault = report_objection(request)
     if fault:
         print(f"error: {fault}", file=sys.stderr)
         return BAD
-    course = marked_course(request, judges)
-    failed = report_class(course, request) if request.output else show_page(SummaryPage(course), request, None)
-    right = all(result.marked is not None and all_right(result.marked) for result in course.results)
+    handed = read_table(content_of(request.answers), Path(request.answers).name, examination.task)
+    rows, merged = handed.entries, tuple[str, ...]()
+    if request.output is not None:
+        earlier = [] if request.anew else read_papers(Path(request.output), examination.task)
+        rows = tuple(with_file(earlier, rows))
+        merged = tuple(what_was_merged(earlier, rows, handed.entries)) if earlier else ()
+    course = marked_course(request, examination, handed, rows)
+    course = replace(course, merged=merged)
+    failed = report_class(course, request, rows) if request.output else show_page(SummaryPage(course), request, None)
+    right = all(all_right(result.sheet) for result in course.results)
     return failed or (ALL_RIGHT if right else NOT_ALL_RIGHT)
 
 
@@ -50,43 +60,86 @@ def report_objection(request: CheckRequest) -> str:
         *pages, last = (item.name for item in FORMATS.values() if item.use == PAGES)
         return f"the pages of a report are {', '.join(pages)} or {last}; leave out -f {request.format}, or -o"
     for name in (request.answers, request.problem):
-        if same_file(str(Path(request.output, MARKS)), name):
-            return f"{name} would be overwritten"
+        for own in (MARKS, PAPERS, OVERRIDES, MOODLE, CANVAS):
+            if same_file(str(Path(request.output, own)), name):
+                return f"{name} would be overwritten"
     return ""
 
 
-def marked_course(request: CheckRequest, judges: Judges) -> MarkedClass:
-    """All rows of the table, marked."""
-    task = judges.task
-    handed = read_table(content_of(request.answers), request.answers, tuple(task.letters), task.parts)
-    papers = [entry.paper for entry in handed.entries]
-    if request.variant is not None:
-        own = str(request.variant)
-        papers = [replace(paper, variant=own) if paper and not paper.variant else paper for paper in papers]
-    found: list[Marked | str] = ["" for _ in papers]
+def what_was_merged(earlier: Sequence[Entry], rows: Sequence[Entry], fresh: Sequence[Entry]) -> Iterator[str]:
+    """What came of papers of earlier runs and those of this one."""
+    file, holders = fresh[0].file, KnownStudents(rows).all
+    known = {entry.file for entry in earlier}
+    own = [holder for holder in holders if any(entry.file == file for entry in holder.rows)]
+    new = [holder for holder in own if all(entry.file == file for entry in holder.rows)]
+    if file not in known:
+        again = f"{len(own) - len(new)} of students who had handed in before"
+        yield f"{papers_in_words(len(own))} from {file}, {again}."
+    kept = [holder for holder in holders if holder not in own]
+    left = [holder for holder in own if not any(entry in fresh for entry in holder.rows)]
+    if left:
+        names = ", ".join(holder.student.called for holder in left[:NAMED])
+        yield f"Not in {file} any more, but kept from an earlier run: {names}{', …' if len(left) > NAMED else ''}. --anew forgets them."
+    if kept:
+        yield f"{papers_in_words(len(kept))} of earlier runs, from {', '.join(sorted({one.rows[-1].file for one in kept}))}, kept."
+
+
+def papers_in_words(number: int) -> str:
+    return f"{number} {'paper' if number == 1 else 'papers'}"
+
+
+def marked_course(
+    request: CheckRequest, examination: Examination, handed: Handed, rows: Sequence[Entry]
+) -> MarkedClass:
+    """All students of a class, marked, with the marks by hand that the report has."""
+    entries = [entry_with_variant(holder, request.variant) for holder in KnownStudents(rows).all]
+    names = names_apart([(entry.student, entry.place) for entry in entries])
+    known = [(entry.student, name) for entry, name in zip(entries, names, strict=True)]
+    by_hand = {} if request.output is None else read_overrides(Path(request.output), examination.task, known)
     with advancing("marking") as tell:
-        for done, (place, marked) in enumerate(mark_papers(papers, judges.judge), 1):
-            found[place] = marked
-            tell(done / len(papers))
-    results = tuple(map(result_of_row, handed.entries, papers, found))
-    seed = judges.seed if judges.problem.vary is not None else None
-    return MarkedClass(task, handed.columns, results, handed.byte_order_mark, seed)
+        marked = examination.mark([entry.papers for entry in entries], request.jobs, tell)
+    results = []
+    for place, (entry, name, sheet) in enumerate(zip(entries, names, marked, strict=True)):
+        own = tuple(by_hand.get(place, ()))
+        results.append(Result(entry, name, with_overrides(sheet, own), own))
+    return MarkedClass(examination.task, handed.columns, tuple(results), handed.byte_order_mark, examination.seed)
 
 
-def result_of_row(entry: Entry, paper: Paper | None, marked: Marked | str) -> Result:
-    """A row with its marks, or with the reason why it has none."""
-    if isinstance(marked, Marked):
-        return Result(replace(entry, paper=paper), marked)
-    return Result(replace(entry, paper=paper, remarks=(*entry.remarks, *((marked,) if marked else ()))), None)
+def entry_with_variant(holder: KnownStudent, variant: int | None) -> Entry:
+    """The row of a student that counts; where it tells no variant, with that of the command line."""
+    entry = holder.counting
+    if entry.papers is None or entry.variant or variant is None:
+        return entry
+    papers = tuple(replace(paper, variant=str(variant)) for paper in entry.papers)
+    return replace(entry, papers=papers, variant=str(variant))
 
 
-def report_class(course: MarkedClass, request: CheckRequest) -> int:
+def report_class(course: MarkedClass, request: CheckRequest, rows: Sequence[Entry]) -> int:
     """The folder, and on standard output what is in it."""
     folder, pages = Path(request.output or "."), format_named(request.format or HTML)
+    folder.mkdir(parents=True, exist_ok=True)
+    table = papers_table(rows, course.task, course.columns.separator, byte_order(course))
+    if failed := write_file(str(folder / PAPERS), table):
+        return failed
     with advancing("writing") as tell:
         failed = write_report(course, folder, pages, tell)
     if not failed:
         for paragraph in (*overview(course), *without_column(course), *doubtful_variants(course)):
             print(plain_text(paragraph.words))
+        for said in (*course.merged, *absent_from_gradebooks(course)):
+            print(said)
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")
     return failed
+
+
+def absent_from_gradebooks(course: MarkedClass) -> Iterator[str]:
+    """How many are not in the tables for gradebooks, and why."""
+    for name, kept in ((MOODLE, known_to_moodle(course)), (CANVAS, known_to_canvas(course))):
+        left = len(course.results) - len(kept)
+        if not kept and with_all_marks(course):
+            yield f"{name} is empty: {TOLD[name]}."
+        elif left:
+            waiting = len(course.results) - len(with_all_marks(course))
+            reasons = [f"{waiting} with marks still to be given"] if waiting else []
+            reasons += [f"{left - waiting} whom nothing tells from others there"] if left > waiting else []
+            yield f"Left out of {name}: {' and '.join(reasons)}."
