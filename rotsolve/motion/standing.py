@@ -380,9 +380,10 @@ class Standing(Struct, frozen=True, dict=True):
         return self.configuration.swings_round(place, self.state)
 
     def stands_as_drawn(self, name: str) -> bool:
-        """Whether a body slides along as it is drawn, with nothing said of its angle at any state."""
-        states, said = self.configuration.timeline.states, self.configuration.mentions.says
-        return self.never_turns(name) and not any(said(state.name, name, "angle") for state in states)
+        """Whether a body slides along as it is drawn, with nothing said of its angle at any state at which it can't turn either."""
+        configuration = self.configuration
+        still = [state.name for state in configuration.timeline.states if not configuration.can_turn(name, state.name)]
+        return self.never_turns(name) and not any(configuration.mentions.says(state, name, "angle") for state in still)
 
     def never_turns(self, name: str) -> bool:
         """Whether a body slides along a line and does not turn."""

@@ -22,4 +22,4 @@ class ProblemJudges:
         number = one.listed.number
         if number not in self._known:
             self._known[number] = Judges(one.marked, 0, None)
-        return self._known[number].judge_of(one.worked)
+        return self._known[number].judge_worked(one.worked)

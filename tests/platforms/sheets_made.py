@@ -29,7 +29,7 @@ def made(writer: SheetFiles, sheets: tuple[Sheet, ...]) -> dict[str, bytes]:
 
 def judge_of(one: SheetProblem) -> Judge:
     """A judge as `rotsolve check` has it."""
-    return Judges(one.marked, 0, None).judge_of(one.worked)
+    return Judges(one.marked, 0, None).judge_worked(one.worked)
 
 
 def judged(judge: Judge, name: str, text: str) -> JudgedPart:

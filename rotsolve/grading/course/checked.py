@@ -9,8 +9,8 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.grading.course.command import SEED, all_right
-from rotsolve.grading.course.examination import hold_to_checks
 from rotsolve.grading.course.examiner import Judges, variant_of
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import SheetTask, Task
@@ -43,7 +43,9 @@ def check_answers(
     NotMarked for a variant that is none, SceneError and Unsolvable as `solve` does.
     """
     judges = Judges(problem.problem if isinstance(problem, Solution) else problem, seed, variants)
-    hold_to_checks(judges)
+    for found in judges.solution.checks:
+        if found.holds is False:
+            raise Unsolvable(f"its answers do not hold: {plain_text(found.words)}", file=judges.problem.file)
     paper = paper_of(answers, tuple(judges.task.letters), judges.task.parts)
     if not paper.variant and variant is not None:
         paper = replace(paper, variant=str(variant))
@@ -74,7 +76,7 @@ class VerdictView(Struct, frozen=True):
 
     @property
     def outcome(self) -> str:
-        """ "right", "partly right", "wrong", "can't decide" or "no answer"."""
+        """ "right", "partly right", "wrong" or "can't decide"."""
         return self.judged.verdict.outcome
 
     @property
@@ -166,8 +168,8 @@ class CheckedPaper(Struct, frozen=True):
 
     @property
     def _page(self) -> StudentPage:
-        task, sheet = SheetTask(self.task.title, (self.task,)), MarkedSheet((self.marked,))
-        return StudentPage(task, sheet, Student(self.marked.student), self.variant)
+        task = SheetTask(self.task.title, (self.task,))
+        return StudentPage(task, MarkedSheet((self.marked,)), Student(self.marked.student), self.variant)
 
     def __str__(self) -> str:
         return self.to("text").rstrip("\n")

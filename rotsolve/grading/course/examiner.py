@@ -92,7 +92,7 @@ class Judges:
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
         self.right: dict[
             int, tuple[Answer, ...]
-        ] = {}  # the answers to the variants that were asked for, 0 to the scene itself
+        ] = {}  # the answers to the variants that were asked for, 0 for the scene as it stands
 
     @property
     def task(self) -> Task:
@@ -125,12 +125,15 @@ class Judges:
             raise NotMarked(error.fault.message) from None
         if worked is None:
             raise NotMarked("there are no variants that can be used")
-        self.right[number] = worked.answers
-        return self.judge_of(worked)
-
-    def judge_of(self, worked: Worked) -> Judge:
-        """The judge of a variant that is worked out already."""
         solution = self.varied(worked)
+        self.right[number] = solution.derivation.answers
+        return self.judge_of(solution)
+
+    def judge_worked(self, worked: Worked) -> Judge:
+        """The judge of a variant that is worked out already."""
+        return self.judge_of(self.varied(worked))
+
+    def judge_of(self, solution: Solution) -> Judge:
         return marker_of(solution, self.wrong_for(solution))
 
     @cached_property
