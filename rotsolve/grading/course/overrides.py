@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -181,8 +181,3 @@ def with_override(marked: Marked, override: Override) -> Marked:
         for part in marked.parts
     )
     return replace(marked, parts=parts, marks=sum((part.marks for part in parts), Fraction(0)))
-
-
-def given_by_hand(overrides: Overrides) -> Iterator[tuple[int, Override]]:
-    """All of them, with the place of the student."""
-    return ((place, one) for place, own in sorted(overrides.items()) for one in own)
