@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
-from rotsolve.page.bars import Bars
 from rotsolve.page.blocks import BOLD, BOTH, CODE, FAULT, ITALIC, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.html_rows import HtmlRows, whole_page
-from rotsolve.page.pictures import picture_in_svg
+from rotsolve.page.pictures import drawn, picture_in_svg
 from rotsolve.page.printer import Lines, Printer
 from rotsolve.page.sheet_html import HtmlSheets
 
@@ -65,10 +64,9 @@ class Html(Printer):
         return (
             super().own()
             | HtmlSheets(self).own()
+            | drawn(picture_in_svg)
             | {
                 blocks.Table: rows.table,
-                blocks.Picture: picture_in_svg,
-                Bars: picture_in_svg,
                 blocks.Formulas: rows.formulas,
                 blocks.Answers: rows.answers,
                 blocks.AssessedTexts: rows.assessed,

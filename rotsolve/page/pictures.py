@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+from rotsolve.page.bars import Bars
+from rotsolve.page.blocks import PageBlock, Picture
+
 if TYPE_CHECKING:
-    from rotsolve.page.bars import Bars
-    from rotsolve.page.blocks import Picture
+    from rotsolve.page.printer import Lines
 
 TEXT_WIDTH = 453  # points, of a page of Typst
 BEGIN, TIKZ = "\\begin{document}\n", "\\usepackage{tikz}\n"
+
+
+def drawn(printed: Callable[..., Lines]) -> dict[type[PageBlock], Callable[..., Lines]]:
+    """The blocks that are drawn, each printed in this way."""
+    return dict.fromkeys((Picture, Bars), printed)
 
 
 def picture_in_svg(block: Picture | Bars) -> Iterator[str]:
