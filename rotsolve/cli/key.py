@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 MOST_VARIANTS = 100_000
 PLATFORMS = ("moodle", "qti")
-KEY_FORMATS = (*FORMATS, "csv", *PLATFORMS)
+OTHERS = ("csv", *PLATFORMS)  # beside the formats of all pages
 
 Problems = Annotated[
     list[str],
@@ -31,8 +31,8 @@ Sheets = Annotated[
     typer.Option(
         "--format",
         "-f",
-        metavar="|".join(KEY_FORMATS),
-        callback=lambda names: [one_of(KEY_FORMATS, name) for name in names or ()],
+        metavar="|".join((*FORMATS, *OTHERS)),
+        callback=lambda names: [one_of((*FORMATS, *OTHERS), name) for name in names or ()],
         help="Output format; may be repeated. [default: html]",
     ),
 ]

@@ -116,8 +116,10 @@ def only_neared(passage: Passage, search: Search, aside: Search) -> str:
 def unchanging(passage: Passage, search: Search) -> str:
     """Why a speed does not become what a state tells, though the forces beside it vary: nothing drives what has it, at any place."""
     for travel in passage.travels:
-        gained = search.settled(travel.after - travel.before) if travel.pace not in (CONSTANT, TIME) else None
-        if gained is not None and search.numbers.side(gained) and search.settled(travel.acceleration) == ZERO:
+        if travel.pace in (CONSTANT, TIME) or search.settled(travel.acceleration) != ZERO:
+            continue
+        gained = search.settled(travel.after - travel.before)
+        if gained is not None and search.numbers.side(gained):
             return f"{spoken(travel.body)} goes on as fast as it does"
     return ""
 
