@@ -38,7 +38,7 @@ NAMED = 5  # lines that are named where a name stands in many
 LONGEST = 20_000  # characters of a cell
 ROWS = 200_000
 SAID = {",": "a comma", ";": "a semicolon", "\t": "a tab"}
-KEPT = re.compile(r"'[-+=@−＝＋－＠]")  # an apostrophe by which a spreadsheet keeps a text from being worked out
+KEPT = re.compile(r"'(?='*[-+=@−＝＋－＠])")  # an apostrophe by which a spreadsheet keeps a text from being worked out
 DECIMAL = re.compile(r"[-+−]?\d[\d.,]*(?:[eE][-+−]?\d+)?")
 WHOLE, REST = re.compile(r"(?:[^\W\d]\w*\s*=\s*)?[-+−]?\d{1,4}"), re.compile(r"\d+\s*[^\W\d]")  # `2` and `18 m/s²`
 TOLD = re.compile(r"sep=(.)\s*$")  # what some spreadsheets write above the header

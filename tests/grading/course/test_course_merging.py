@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rotsolve.algebra.formula import Symbol
@@ -167,6 +167,7 @@ def table_of(found: Sequence[tuple[str, ...]]) -> str:
     return text.getvalue()
 
 
+@example([("", "Ada", "", "''=")], [("", "Ada", "'=a", "'")], ",")
 @given(st.lists(ROW, min_size=1, max_size=6), st.lists(ROW, min_size=1, max_size=6), st.sampled_from(",;\t"))
 @settings(max_examples=150, deadline=None)
 def test_what_is_kept_comes_back(first: list[tuple[str, ...]], later: list[tuple[str, ...]], separator: str) -> None:
