@@ -25,38 +25,38 @@ def loaded_kind(module: str, name: str) -> tuple[type[Any], ...]:
 
 
 @cache
-def derives_from(kind: type[Any], module: str, name: str) -> bool:
+def derives_from(kind: Any, module: str, name: str) -> bool:
     """Whether a class is of a kind, remembered: a class has its bases as long as it is there."""
     return issubclass(kind, loaded_kind(module, name))
 
 
 def is_touch(item: Any) -> TypeGuard[Touch]:
-    return derives_from(type(item), "connections.touch", "Touch")
+    return derives_from(item.__class__, "connections.touch", "Touch")
 
 
 def is_drapes(item: Any) -> TypeGuard[Drapes]:
-    return derives_from(type(item), "connections.drapes", "Drapes")
+    return derives_from(item.__class__, "connections.drapes", "Drapes")
 
 
 def is_spring(item: Any) -> TypeGuard[Spring]:
-    return derives_from(type(item), "connections.springs", "Spring")
+    return derives_from(item.__class__, "connections.springs", "Spring")
 
 
 def is_torsion(item: Any) -> TypeGuard[Torsion]:
-    return derives_from(type(item), "connections.springs", "Torsion")
+    return derives_from(item.__class__, "connections.springs", "Torsion")
 
 
 def is_belt(item: Any) -> TypeGuard[Belt]:
-    return derives_from(type(item), "connections.drives", "Belt")
+    return derives_from(item.__class__, "connections.drives", "Belt")
 
 
 def is_gear(item: Any) -> TypeGuard[Gear]:
-    return derives_from(type(item), "connections.drives", "Gear")
+    return derives_from(item.__class__, "connections.drives", "Gear")
 
 
 def is_band(item: Any) -> TypeGuard[Band]:
-    return derives_from(type(item), "actions", "Band")
+    return derives_from(item.__class__, "actions", "Band")
 
 
 def is_collides(item: Any) -> TypeGuard[Collides]:
-    return derives_from(type(item), "collisions", "Collides")
+    return derives_from(item.__class__, "collisions", "Collides")
