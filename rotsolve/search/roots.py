@@ -147,9 +147,8 @@ class RootChoice(Struct, frozen=True):
         if self._is_angle(name):
             return PickedRoot(self._smallest(real, roots), ("the smallest angle",), guessed=True)
         positive = [entry for entry in real if entry[1] >= 0]
-        opposed = all(
-            isinstance(root, Number) and fits(root) == -1 for _, root in numbered
-        )  # one that fits lies farther
+        # where all have the wrong sign, one that fits lies farther
+        opposed = all(isinstance(root, Number) and fits(root) == -1 for _, root in numbered)
         picked = self._smallest(positive or real, roots)
         return PickedRoot(picked, ("the positive root",), guessed=len(positive) != 1, fits=not opposed)
 
