@@ -110,6 +110,7 @@ def take_together() -> None:
     if Near in sys.meta_path:
         from rotsolve.together import KEPT
 
+        Near.loaded.clear()  # the piece is no part of itself
         Near.together = {file: (marks, code) for file, marks, code in KEPT}
 
 

@@ -375,7 +375,7 @@ def test_a_run_is_drawn(run: Run, tmp_path: Path) -> None:
 def test_a_students_answers_are_checked(solution: Solution) -> None:
     told = {"a": "2 m g/(2 m + M)", "α": 21.78, "working": ["T R = I alpha", "a = g"]}
     marked = check(solution, told)
-    assert [one.outcome for one in marked.verdicts.values()] == ["right", "partly right", "wrong"]
+    assert [one.outcome for one in marked.verdicts.values()] == ["right", "partly right", "no answer"]
     assert marked["alpha"].remarks == ("the unit is missing: rad/s²",) and marked["T"].text == ""
     assert (marked.right, marked.marks, marked.of, len(marked)) == (False, 1.75, 3.0, 3)
     assert [line.right for line in marked.working] == [True, False]

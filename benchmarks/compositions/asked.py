@@ -114,6 +114,8 @@ def asked(composition: Composition, question: str) -> bool:
         if states or (question == "modes" and len(composition.bodies) < 2):
             return False
         word = composition.chance.choice(ASKED[question])
+        if "two." in word and "two" not in composition.bodies:
+            return False
         composition.put("find", "x1", word if question == "modes" else f"{word} of small swings")
         return True
     if not states and question != "inertia":

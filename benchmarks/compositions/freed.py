@@ -99,8 +99,11 @@ def differing(numbered: Answer, lettered: Answer, values: Values) -> Iterator[st
     except (Undefined, ZeroDivisionError, ValueError) as error:
         yield f"{numbered.name}: {error}"
         return
-    if not isclose(number, numbered.value.float, rel_tol=CLOSE, abs_tol=CLOSE * 1e-3):
-        yield f"{numbered.name} = {number} instead of {numbered.value.float}"
+    expected = numbered.value.float
+    if numbered.direction and not (lettered.direction or lettered.positive):  # friction, told by its size
+        number, expected = abs(number), abs(expected)
+    if not isclose(number, expected, rel_tol=CLOSE, abs_tol=CLOSE * 1e-3):
+        yield f"{numbered.name} = {number} instead of {expected}"
 
 
 def holds(condition: Equality, values: Values) -> bool:

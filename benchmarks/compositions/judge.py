@@ -22,7 +22,9 @@ CLOSE = Fraction(1, 10**5)  # relative: answers are printed to 7 figures
 LETTERED = "in letters, with the numbers put in"
 REFLECTED = "with its angles in a mirror"
 IDLE = "says nothing here"
-ON_THE_WAY = ("lets go", "turns back", "meet again", "comes back", "tips over", "on the way from")
+ON_THE_WAY = (
+    "lets go", "turns back", "meet again", "comes back", "tips over", "on the way from", "an end of its round side", "is not reached:",
+)  # fmt: skip
 FALSE_WORDS = ("contradict", "too little is known", "never reached")
 RIGHT, UNCONFIRMED, NAMED, UNTRUE, UNTELLABLE, SAID, SILENT, SLOW, BROKEN = (
     "right",

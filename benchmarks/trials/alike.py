@@ -122,7 +122,7 @@ def mirrored(scene: Scene) -> Scene | None:
     if not kinds <= MIRRORED or re.search(r"\.x\b|angle|deg|\[-|at\(|torque|couple", text) or not scene.get("bodies"):
         return None
     for body in scene["bodies"].values():
-        if "parts" in body or "points" in body:
+        if "parts" in body or "points" in body or str(body.get("shape", "")).startswith("hemispher"):
             return None  # drawn with a left and a right
         turns = "shape" in body or "inertia" in body
         if ("turns" if turns else "moves") not in body:

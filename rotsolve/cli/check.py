@@ -11,7 +11,10 @@ from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly, page_width
 
 Problem = Annotated[
-    str, typer.Argument(metavar="PROBLEM", help="The scene that was set; - reads one from standard input.")
+    str,
+    typer.Argument(
+        metavar="PROBLEM", help="The scene that was set, or a sheet file; - reads a scene from standard input."
+    ),
 ]
 Answers = Annotated[
     str | None,
@@ -29,7 +32,7 @@ Report = Annotated[
         "--output",
         "-o",
         metavar="PATH",
-        help="The folder of a class's report, its marks' .csv or .parquet, or one page's file.",
+        help="The folder of a class's report, the table of its marks, or one page's file.",
     ),
 ]
 Pages = Annotated[
@@ -44,6 +47,11 @@ Pages = Annotated[
 ]
 Number = Annotated[
     int | None, typer.Option("--variant", metavar="K", min=1, help="The variant of papers that name none.")
+]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Mark a class by so many processes.")]
+Shown = Annotated[bool, typer.Option("--answers", help="Show the right answers on the pages of students.")]
+Anew = Annotated[
+    bool, typer.Option("--anew", help="Forget what earlier runs have put into the report, or have marked.")
 ]
 Scheduler = Annotated[
     str | None,
@@ -61,8 +69,11 @@ def check_command(
     variant: Number = None,
     variants: Count = None,
     seed: Seed = 1,
-    cluster: Scheduler = None,
     width: Width = None,
+    jobs: Jobs = 1,
+    answers_shown: Shown = False,
+    anew: Anew = False,
+    cluster: Scheduler = None,
 ) -> None:
     """Mark the answers of a student or of a class.
 
@@ -71,7 +82,9 @@ def check_command(
       rotsolve check problems/pulleys/block-on-disc.yaml --answer "a = 2mg/(2m+M)"
       rotsolve check problems/pulleys/block-on-disc.yaml ada.txt --variant 7
       rotsolve check problems/pulleys/block-on-disc.yaml class.csv -o report
-      rotsolve check problems/pulleys/block-on-disc.yaml papers.parquet -o marks.csv --cluster tcp://10.0.0.1:8786
+      rotsolve check homework4.yaml class.csv -o report --answers
+      rotsolve check homework4.yaml late.csv -o report
+      rotsolve check homework4.yaml papers.parquet -o marks.csv --cluster tcp://10.0.0.1:8786
 
     \b
     Exit codes:
@@ -83,8 +96,8 @@ def check_command(
 
     if (answers is None) == (not typed):
         raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
-    chosen = (output, format, variant, variants, seed, width or page_width(output), cluster)
-    request = CheckRequest(problem, answers or "", tuple(typed or ()), *chosen)
+    chosen = (output, format, variant, variants, seed, width or page_width(output), jobs, answers_shown, anew)
+    request = CheckRequest(problem, answers or "", tuple(typed or ()), *chosen, cluster)
     if cluster is not None and not request.of_class:
         raise typer.BadParameter("a cluster marks a class's table, .csv or .parquet", param_hint="'--cluster'")
     if FORMATS[request.shown_as].binary:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -12,7 +12,12 @@ from rotsolve.language.sheet_keys import PAPERS
 from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly
 
+if TYPE_CHECKING:
+    from rotsolve.keys.command import Makers
+
 MOST_VARIANTS = 100_000
+PLATFORMS = ("moodle", "qti")
+OTHERS = ("csv", *PLATFORMS)  # beside the formats of all pages
 
 Problems = Annotated[
     list[str],
@@ -26,8 +31,8 @@ Sheets = Annotated[
     typer.Option(
         "--format",
         "-f",
-        metavar="|".join((*FORMATS, "csv")),
-        callback=lambda names: [one_of((*FORMATS, "csv"), name) for name in names or ()],
+        metavar="|".join((*FORMATS, *OTHERS)),
+        callback=lambda names: [one_of((*FORMATS, *OTHERS), name) for name in names or ()],
         help="Output format; may be repeated. [default: html]",
     ),
 ]
@@ -77,10 +82,12 @@ def key_command(
       rotsolve key problems/pulleys/atwood.yaml -o sheets --variants 30 -f html -f csv
       rotsolve key winch.yaml roll.yaml --title "Homework 4" --paper letter -o sheets -f pdf
       rotsolve key homework4.yaml -o sheets --solutions
+      rotsolve key homework4.yaml -o platform --variants 30 -f moodle -f qti
 
     A sheet file lists problems with their order and points. sheet.html holds the statements, key.html the answers,
     solutions.html the derivations; with variants there are sheet-01.html and so on, and all of them in sheets.html.
-    A problem that can't be solved is left out and said.
+    A problem that can't be solved is left out and said. For learning platforms moodle makes moodle.xml, and stack.xml for
+    its plugin STACK; qti makes the packages qti21.zip and qti30.zip.
     """
     from rotsolve.keys.command import KeyRequest, run_key
 
@@ -92,8 +99,21 @@ def key_command(
     chosen = (formats, variants or 0, seed, solutions, digits, language)
     with orderly():
         look = (title.strip(), paper or "", not no_pictures, height, ruled)
-        code = run_key(KeyRequest(tuple(problems), output, *chosen, *look))
+        code = run_key(KeyRequest(tuple(problems), output, *chosen, *look), platforms(formats))
     raise typer.Exit(code)
+
+
+def platforms(formats: tuple[str, ...]) -> Makers:
+    """What makes the files for learning platforms, where they are asked for."""
+    if not set(formats) & {*PLATFORMS}:
+        return {}
+    from rotsolve.platforms.moodle_files import MoodleFiles
+    from rotsolve.platforms.qti_files import QtiFiles
+
+    return {
+        "moodle": lambda asked: MoodleFiles(asked.digits, asked.language),
+        "qti": lambda asked: QtiFiles(asked.digits, asked.language),
+    }
 
 
 def room_of(text: str | None) -> Fraction | None:

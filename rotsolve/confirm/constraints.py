@@ -15,7 +15,7 @@ from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import BY_INERTIA, TURNING
-from rotsolve.elements.asked import is_touch, loaded_kind
+from rotsolve.elements.asked import derives_from, is_touch
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Mounted, Weld
 from rotsolve.elements.surfaces import Curved
@@ -54,7 +54,7 @@ def rows_of(kind: type[Connection]) -> Rows:
 
 def plain_rows(kind: type[Connection]) -> Rows | None:
     """What a connection of a kind that most scenes have holds, which loads nothing by itself."""
-    if not issubclass(kind, loaded_kind("connections.touch", "Touch")):
+    if not derives_from(kind, "connections.touch", "Touch"):
         return ROWS.get(kind)
     from rotsolve.confirm.touches import TOUCHES
 

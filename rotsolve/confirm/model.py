@@ -262,7 +262,9 @@ class Model:
 
     @cached_property
     def diverted(self) -> frozenset[str]:
-        """Bodies that no line leads since an event has joined them to one that goes another way, or to a place that goes round in one."""
+        """Bodies that no line leads since an event has joined them to one that goes another way, or to a place that goes round in one.
+
+        The ground goes on bearing what travels on the level."""
         lying = {item.lying() for item in self.acting.connections}
         found: set[str] = set()
         for event in self.acting.joined():
@@ -273,8 +275,15 @@ class Model:
         for pair in self.met:
             one, two = (line(name, self) for name in pair)
             if one is None or two is None or abs(one[0] * two[1] - one[1] * two[0]) > 1e-9:
-                found |= set() if lying & set(pair) else set(pair)
+                found |= set() if lying & set(pair) else set(pair) - self._borne(pair)
         return frozenset(found)
+
+    def _borne(self, pair: tuple[str, str]) -> set[str]:
+        """The one of two that do not turn which travels on the level, where the ground bears it and what has fallen on it."""
+        if not self.upright or any(name in self.held or self.turns(name) for name in pair):
+            return set()
+        level = {name for name in pair if (way := line(name, self)) is not None and not way[1]}
+        return level if len(level) == 1 else set()
 
     @property
     def met(self) -> list[tuple[str, str]]:

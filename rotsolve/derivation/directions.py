@@ -36,13 +36,13 @@ class Directions:
     @property
     def positive(self) -> str:
         """What a positive value means, in words, where a negative one means something else; friction is told by its size."""
-        sized = self.answered.asked.vector is not None or (self._quantity is not None and self._quantity.kind == SIZED)
-        return self._both[0] if all(self._both) and not sized else ""
+        sized = self._quantity is not None and self._quantity.kind == SIZED
+        return self._both[0] if self._two_ways and not sized else ""
 
     def condition(self) -> Words:
         """Right if R > r: where one factor alone, a difference, decides the way; nothing where more do."""
         value = self.answered.found.formula
-        if value is None or not self.positive or self._sign is not None:
+        if value is None or not self._two_ways or self._sign is not None:
             return ()
         try:
             unsure = [part for part in self._factors(value) if self._sure(part) is None]
@@ -101,6 +101,11 @@ class Directions:
         side = self._limited(unsure[0]) if len(unsure) == 1 else None
         rest = self._sure(simplify(formula / unsure[0], positive=self.search.signs.positive)) if side else None
         return side * rest if side and rest else None
+
+    @property
+    def _two_ways(self) -> bool:
+        """Whether a negative value means another direction than a positive one."""
+        return all(self._both) and self.answered.asked.vector is None
 
     @cached_property
     def _both(self) -> tuple[str, str]:

@@ -6,6 +6,7 @@ The assembly asks this of every connection: to load all kinds for it took a thir
 from __future__ import annotations
 
 import sys
+from functools import cache
 from typing import TYPE_CHECKING, Any, TypeGuard
 
 if TYPE_CHECKING:
@@ -23,33 +24,39 @@ def loaded_kind(module: str, name: str) -> tuple[type[Any], ...]:
     return () if loaded is None else (getattr(loaded, name),)
 
 
-def is_touch(item: object) -> TypeGuard[Touch]:
-    return isinstance(item, loaded_kind("connections.touch", "Touch"))
+@cache
+def derives_from(kind: Any, module: str, name: str) -> bool:
+    """Whether a class is of a kind, remembered: a class has its bases as long as it is there."""
+    return issubclass(kind, loaded_kind(module, name))
 
 
-def is_drapes(item: object) -> TypeGuard[Drapes]:
-    return isinstance(item, loaded_kind("connections.drapes", "Drapes"))
+def is_touch(item: Any) -> TypeGuard[Touch]:
+    return derives_from(item.__class__, "connections.touch", "Touch")
 
 
-def is_spring(item: object) -> TypeGuard[Spring]:
-    return isinstance(item, loaded_kind("connections.springs", "Spring"))
+def is_drapes(item: Any) -> TypeGuard[Drapes]:
+    return derives_from(item.__class__, "connections.drapes", "Drapes")
 
 
-def is_torsion(item: object) -> TypeGuard[Torsion]:
-    return isinstance(item, loaded_kind("connections.springs", "Torsion"))
+def is_spring(item: Any) -> TypeGuard[Spring]:
+    return derives_from(item.__class__, "connections.springs", "Spring")
 
 
-def is_belt(item: object) -> TypeGuard[Belt]:
-    return isinstance(item, loaded_kind("connections.drives", "Belt"))
+def is_torsion(item: Any) -> TypeGuard[Torsion]:
+    return derives_from(item.__class__, "connections.springs", "Torsion")
 
 
-def is_gear(item: object) -> TypeGuard[Gear]:
-    return isinstance(item, loaded_kind("connections.drives", "Gear"))
+def is_belt(item: Any) -> TypeGuard[Belt]:
+    return derives_from(item.__class__, "connections.drives", "Belt")
 
 
-def is_band(item: object) -> TypeGuard[Band]:
-    return isinstance(item, loaded_kind("actions", "Band"))
+def is_gear(item: Any) -> TypeGuard[Gear]:
+    return derives_from(item.__class__, "connections.drives", "Gear")
 
 
-def is_collides(item: object) -> TypeGuard[Collides]:
-    return isinstance(item, loaded_kind("collisions", "Collides"))
+def is_band(item: Any) -> TypeGuard[Band]:
+    return derives_from(item.__class__, "actions", "Band")
+
+
+def is_collides(item: Any) -> TypeGuard[Collides]:
+    return derives_from(item.__class__, "collisions", "Collides")

@@ -105,10 +105,22 @@ def prescribe(instant: Instant, fixed: Fixed, *, by_motion: bool = False) -> Non
 RATES = ("velocity", "angular_velocity")
 
 
+def keep_standing(start: str, end: str, fixed: Fixed) -> None:
+    """What does not turn stands throughout a phase as it does at its start."""
+    first, between, fresh = fixed.instant(start), fixed.instant(start, generic=True), fixed.instant(end)
+    for body in fixed.configuration.present(end):
+        if first.never_turns(body.name) and fresh.never_turns(body.name):
+            keep_angle(body.name, first, between, fixed)
+            keep_angle(body.name, first, fresh, fixed)
+
+
 def carry_over(state: State, fixed: Fixed) -> None:
-    """What an event before a state leaves as it was."""
+    """What an event before a state leaves as it was; after a phase how that stands which does not turn."""
     before = fixed.configuration.timeline.before(state.name)
-    if before is None or before.event is None:
+    if before is None:
+        return
+    if before.event is None:
+        keep_standing(before.start, state.name, fixed)
         return
     last, fresh = fixed.instant(before.start), fixed.instant(state.name)
     said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}

@@ -11,6 +11,17 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 
 RIGHT, PARTLY, WRONG, UNDECIDED = "right", "partly right", "wrong", "can't decide"
+NO_ANSWER, NOT_MARKED, BY_HAND = "no answer", "not marked", "marked by hand"
+OUTCOMES = (
+    RIGHT,
+    PARTLY,
+    WRONG,
+    UNDECIDED,
+    NO_ANSWER,
+    NOT_MARKED,
+    BY_HAND,
+)  # the one word for each state of the marks of an answer
+OPEN_OUTCOMES = (UNDECIDED, NOT_MARKED)  # those whose marks a teacher still has to give
 VALUELESS = "value"  # the kind of the remark about what has no value for the numbers of the scene
 
 
@@ -27,8 +38,7 @@ class Remark(Struct, frozen=True):
 
 
 class Verdict(Struct, frozen=True):
-    """Right, partly right (some marks are left), wrong or undecided, never one for another; how the answer was read ('' where that is
-    plain); and what is to be said."""
+    """One of the outcomes, never one for another; how the answer was read ('' where that is plain); and what is to be said."""
 
     outcome: str
     read_as: str = ""
@@ -71,12 +81,6 @@ class Marked(Struct, frozen=True):
     lines: tuple[JudgedLine, ...]
     marks: Fraction
     of: Fraction
-
-    @property
-    def all_right(self) -> bool:
-        """Whether every answer is right, and no line of working wrong."""
-        answers = all(part.verdict.outcome == RIGHT for part in self.parts)
-        return answers and not any(line.verdict.outcome == WRONG for line in self.lines)
 
 
 class Finding(Struct, frozen=True):

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
+from types import MappingProxyType
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import SceneError
-from rotsolve.keys.files import NamedContent, sheet_files
+from rotsolve.keys.files import NamedContent, SheetFiles, sheet_files
 from rotsolve.keys.problem_set import (
     ProblemLayout,
     ProblemSet,
@@ -46,8 +47,12 @@ class KeyRequest(Struct, frozen=True):
     ruled: bool = False
 
 
-def run_key(request: KeyRequest) -> int:
-    """Write the files of all problems that can be solved, and say which can not; the exit code is the worst one."""
+Makers = Mapping[str, Callable[[KeyRequest], SheetFiles]]  # of formats of rooms below this one, by their names
+
+
+def run_key(request: KeyRequest, others: Makers = MappingProxyType({})) -> int:
+    """Write the files of all problems that can be solved, and say which can not; the exit code is the worst one. `others` make the
+    files of formats that are no pages."""
     if PIPED in request.files:
         return refuse_key("keys are made of files, and standard input is none")
     if request.solutions and set(request.formats) == {"csv"}:
@@ -59,7 +64,7 @@ def run_key(request: KeyRequest) -> int:
     if request.variants and chosen.problems and not any(problem.vary for problem in chosen.problems.values()):
         return refuse_key("none of these problems says under `vary` what may vary; leave --variants out")
     with advancing("sheets") as tell:
-        code = write_files(named_texts(chosen.sheets(tell), request, chosen.set.paper), request.folder)
+        code = write_files(named_texts(chosen.sheets(tell), makers(request, others, chosen.set.paper)), request.folder)
     if chosen.failed and len(chosen.set.problems) > 1:
         say(summary(chosen.failed, len(chosen.set.problems)), follows=True)
     return max(code, chosen.code)
@@ -135,13 +140,19 @@ class Problems:
                 yield Sheet(mark, tuple(found), self.request.seed, self.set)
 
 
-def named_texts(sheets: Iterable[Sheet], request: KeyRequest, paper: str) -> Iterator[NamedContent]:
-    """All files, those of a variant as soon as it is there; none where nothing was solved."""
+def makers(request: KeyRequest, others: Makers, paper: str) -> list[SheetFiles]:
+    """What makes the files of each format that is asked for."""
     places = len(str(request.variants)) if request.variants else 0
-    writers = [
-        sheet_files(name, places, request.digits, solved=request.solutions, language=request.language, paper=paper)
+    return [
+        others[name](request)
+        if name in others
+        else sheet_files(name, places, request.digits, solved=request.solutions, language=request.language, paper=paper)
         for name in request.formats
     ]
+
+
+def named_texts(sheets: Iterable[Sheet], writers: Sequence[SheetFiles]) -> Iterator[NamedContent]:
+    """All files, those of a variant as soon as it is there; none where nothing was solved."""
     empty = True
     for sheet in sheets:
         empty = False

@@ -63,8 +63,7 @@ class Configuration(Arrangement, frozen=True, dict=True):
     @remembered
     def seats(self, state: str) -> dict[str, Member]:
         """Where the bodies sit that another stands for: by a weld, by an event up to this state, or since they ride on it."""
-        pairs = [ridden(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
-        pairs += self.joints(state)
+        pairs = self.junctions(state)
         if not pairs:
             return {}
         held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points())
@@ -75,10 +74,25 @@ class Configuration(Arrangement, frozen=True, dict=True):
                 *self._carried_along(name, state),
                 not shape_of(self.bodies[name]).pointlike,
                 self._turn_tells(name, state),
+                self._borne(name),
             ),
             lambda ref: self._met_at(ref, state),
             lambda first, second: self._bend(first, second, state),
         )
+
+    @remembered
+    def junctions(self, state: str) -> list[tuple[PointRef, PointRef]]:
+        """The points at which bodies meet that are one: where one rides on the other, or is joined to it."""
+        riding = [ridden(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
+        return riding + self.joints(state)
+
+    @remembered
+    def pinned(self, name: str, state: str) -> bool:
+        """Whether a hinge or axle holds a body to the ground, or one that is one with it. Which of them stands for all may hang on this."""
+        one, owners = {name}, [{ref.owner for ref in pair} for pair in self.junctions(state)]
+        while more := set().union(*(pair for pair in owners if pair & one)) - one:
+            one |= more
+        return any(self.pivot(member, state) is not None for member in one)
 
     @remembered
     def joints(self, state: str) -> list[tuple[PointRef, PointRef]]:
@@ -100,6 +114,10 @@ class Configuration(Arrangement, frozen=True, dict=True):
         body, items = self.bodies[name], self.connections(state)
         on_surface = any(item.track(body, self, state) or item.orbit(body, self, state) for item in items)
         return on_surface, any(item.hangs(body) for item in items)
+
+    def _borne(self, name: str) -> bool:
+        """Whether the ground bears a body, which `moves` on the level: what falls on it goes on with it."""
+        return self.heavy and self.problem.plane == "vertical" and self.bodies[name].moves in ("left", "right")
 
     def _met_at(self, ref: PointRef, state: str) -> Vector:
         """Where a body is joined, in its own axes: that of a rim by an event is the mark that is in this direction in space then."""

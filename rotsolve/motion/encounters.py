@@ -18,7 +18,7 @@ from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Facts, Force, Requir
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.passage import Approach, Encounter, Meeting
 from rotsolve.core.symbols import is_key, key_of, rub_key
-from rotsolve.core.vectors.heading import NOWHERE, Vector
+from rotsolve.core.vectors.heading import NOWHERE, UP, Vector
 from rotsolve.language.bodies import PointRef
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.moments import moment_of_inertia
@@ -119,6 +119,9 @@ def modes_through(interval: Interval, first: Instant, last: Instant) -> tuple[di
     start, end = (configuration.phase_start(instant.state) for instant in (first, last))
     stuck = {}
     for item in configuration.connections(first.state):
+        for ref in item.brakes():  # what resists the turn that the event gives
+            names = [f"{item.name}.{instant.host(ref.owner)}" for instant in (first, last)]
+            modes[rub_key(names[0], start)] = last.modes.get(rub_key(names[1], end), "")
         if item.rubs():
             after = last.modes.get(rub_key(item.name, end), STICKS)
             modes[rub_key(item.name, start)] = last.modes.get(rub_key(item.name, interval.name), after)
@@ -211,15 +214,19 @@ def meeting(body: BodyFacts, first: Instant, last: Instant, after: Facts, place:
 
 
 def check_rails(meetings: Sequence[Meeting], event: Event, instant: Instant) -> None:
-    """What `moves` along a level line may be pushed to its side by what falls on it, since the ground bears it; else it is free."""
+    """What `moves` along a level line may be pushed down by what falls on it, since the ground bears it; what pushes it to its side in
+    another way, from below too, is refused."""
     upright = instant.configuration.problem.plane == "vertical"
     for item in meetings:
         heading, name = item.body.motion.heading, item.body.name
-        if not item.guided or heading is None or (upright and heading.sin() == ZERO):
+        if not item.guided or heading is None:
             continue
         across = heading.turned(90)
         pushed = any(blow.role is CONTACT and blow.direction.along(across) != ZERO for blow in item.blows)
         met = [other for other in meetings if any(blow.role is CONTACT for blow in other.blows)]
+        rising = (instant.configuration.signs.sign(other.before.along(UP)) for other in met)
+        if upright and heading.sin() == ZERO and 1 not in rising:
+            continue
         if pushed and any(rate.along(across) != ZERO for other in met for rate in (other.before, other.after)):
             held = any(
                 ref.owner == name for link in instant.configuration.connections(instant.state) for ref in link.touches()

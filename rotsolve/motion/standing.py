@@ -32,13 +32,13 @@ from rotsolve.motion.rigid import Frame, locate, rim_ways, tidy
 
 if TYPE_CHECKING:
     from rotsolve.language.bodies import Orbit
-    from rotsolve.language.problem import Body
+    from rotsolve.language.problem import Body, Path
     from rotsolve.motion.configuration import Configuration
 
 
 TURNED = ("angle", "rotation", "turns")
-FOLLOWED = ("position", "displacement", "velocity", "acceleration", "momentum")
-SIZES = ("speed", "kinetic_energy")  # which on a fixed axis are the same all round
+FOLLOWED = ("position", "displacement", "velocity", "acceleration", "momentum", "force")
+SIZES = ("speed", "kinetic_energy", "power", "instantaneous_centre")  # which on a fixed axis are the same all round
 
 
 class Standing(Struct, frozen=True, dict=True):
@@ -329,21 +329,29 @@ class Standing(Struct, frozen=True, dict=True):
             return False
         if self._asks_within(carried) and configuration.pivot(name, self.state) is None:
             return configuration.can_turn(name, self.state)
-        terms = [term for find in configuration.problem.finds for term in find.terms if term.path.owner in carried]
-        paths = [
-            term.path for term in terms if term.path.quantity in FOLLOWED and term.path.component in (None, *PLANE)
-        ]
+        terms = [term for find in configuration.problem.finds for term in find.terms]
+        paths = [term.path for term in terms if term.path.owner in carried and self._turns_with(term.path, name)]
         asked = [PointRef(path.owner, path.point, path.argument) for path in paths]
-        asked += [term.about for term in terms if term.about is not None and term.about.owner in carried]
+        whose = (*carried, "")  # all together have an angular momentum about a point too
+        asked += [
+            term.about for term in terms if term.about and term.about.owner in carried and term.path.owner in whose
+        ]
         told = any(
             configuration.mentions.says(state.name, item, *TURNED)
             for state in configuration.timeline.states
             for item in carried
         )
         told |= self._time_passes() and any(path.component is not None for path in paths)
-        if self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told:
-            return False
-        return any(map(self._goes_round, asked)) or self._asks_of_joint(name, carried)
+        if self._asks_of_joint(name, carried):
+            return True
+        unknown = self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told
+        return not unknown and any(map(self._goes_round, asked))
+
+    def _turns_with(self, path: Path, name: str) -> bool:
+        """Whether a quantity goes by how its body is turned: about a fixed axis sizes, and parts along the way, do not."""
+        if self.configuration.pivot(name, self.state) is None:
+            return path.quantity in FOLLOWED + SIZES
+        return path.quantity in FOLLOWED and path.component in (None, *PLANE)
 
     def _asks_of_joint(self, name: str, carried: Container[str]) -> bool:
         """Whether a question asks for a component in space of the force at which a body is held, whose centre of mass goes round, or with
@@ -372,10 +380,14 @@ class Standing(Struct, frozen=True, dict=True):
         return self.configuration.swings_round(place, self.state)
 
     def stands_as_drawn(self, name: str) -> bool:
-        """Whether a body slides along as it is drawn, with nothing said of its angle."""
-        flat = self.travels_on_line(name)
-        said = self.configuration.mentions.says
-        return flat and not self.configuration.can_turn(name, self.state) and not said(self.state, name, "angle")
+        """Whether a body slides along as it is drawn, with nothing said of its angle at any state at which it can't turn either."""
+        configuration = self.configuration
+        still = [state.name for state in configuration.timeline.states if not configuration.can_turn(name, state.name)]
+        return self.never_turns(name) and not any(configuration.mentions.says(state, name, "angle") for state in still)
+
+    def never_turns(self, name: str) -> bool:
+        """Whether a body slides along a line and does not turn."""
+        return self.travels_on_line(name) and not self.configuration.can_turn(name, self.state)
 
     def travels_on_line(self, name: str) -> bool:
         """Whether a body travels along a line."""

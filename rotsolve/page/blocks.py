@@ -16,6 +16,7 @@ from rotsolve.core.derivation import SHOWN, Check, Equality
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.algebra.units.unit_table import Unit
+    from rotsolve.draw.paper.figure import Figure
     from rotsolve.language.problem import Problem
 
 NAME, LABEL, STRONG, FAULT, CODE = "name", "label", "strong", "fault", "code"  # styles of words
@@ -147,6 +148,12 @@ class Picture(PageBlock, frozen=True):
     """The picture of a scene; formats of letters alone leave it out. It is drawn where it is printed."""
 
     scene: Problem
+
+    def figure(self) -> Figure | None:
+        """What is drawn; None where that can't be."""
+        from rotsolve.draw.pictures import picture_of
+
+        return picture_of(self.scene)
 
     def simpler(self) -> Iterator[PageBlock]:
         return iter(())

@@ -9,7 +9,7 @@ from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
 from rotsolve.page.blocks import BOLD, BOTH, CODE, FAULT, ITALIC, LABEL, NAME, STRONG, Bullets
 from rotsolve.page.html_rows import HtmlRows, whole_page
-from rotsolve.page.pictures import picture_in_svg
+from rotsolve.page.pictures import drawn, picture_in_svg
 from rotsolve.page.printer import Lines, Printer
 from rotsolve.page.sheet_html import HtmlSheets
 
@@ -64,9 +64,9 @@ class Html(Printer):
         return (
             super().own()
             | HtmlSheets(self).own()
+            | drawn(picture_in_svg)
             | {
                 blocks.Table: rows.table,
-                blocks.Picture: picture_in_svg,
                 blocks.Formulas: rows.formulas,
                 blocks.Answers: rows.answers,
                 blocks.AssessedTexts: rows.assessed,

@@ -64,7 +64,8 @@ code { font: .95em/1.4 "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-
 td:not(.remark) > code { display: block; width: max-content; max-width: 32em; }
 mark { background: #fff3a3; border-bottom: 2px solid #c80; }
 th { text-align: left; padding: .25em .6em .25em 0; border-bottom: 1px solid #bbb; font-weight: normal; color: #555; }
-td.verdict, td.marks { white-space: nowrap; padding-left: 1em; }
+td.part, td.verdict, td.marks { white-space: nowrap; }
+td.verdict, td.marks { padding-left: 1em; }
 td.marks { width: 100%; }
 td.good { color: #060; } td.bad { color: #a00; font-weight: bold; } td.open { color: #850; font-weight: bold; }
 td.remark { padding-top: 0; }
@@ -138,7 +139,7 @@ class HtmlRows:
         rows = []
         for row in block.rows:
             thought = cell(self.printer.prose(row.said), f"verdict {row.tone}") + cell(row.marks, "marks")
-            rows.append(f"{cell(self.words(row.label))}<td><code>{self._marked(row)}</code></td>{thought}")
+            rows.append(f"{cell(self.words(row.label), 'part')}<td><code>{self._marked(row)}</code></td>{thought}")
             remarks = [self.words(note.words) for note in row.notes]
             remarks += [f"read as {self.printer.styled(CODE, row.read_as)}"] if row.read_as else []
             rows += [f'<td></td><td class="remark" colspan="3">{remark}</td>' for remark in remarks]

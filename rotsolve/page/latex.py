@@ -20,7 +20,7 @@ from rotsolve.page.blocks import (
     Formulas,
 )
 from rotsolve.page.latex_rows import LatexRows
-from rotsolve.page.pictures import picture_in_tikz, with_tikz
+from rotsolve.page.pictures import drawn, picture_in_tikz, with_tikz
 from rotsolve.page.printer import Lines
 from rotsolve.page.sheet_latex import LatexSheets, counted_sheet, on_latex_paper
 from rotsolve.page.tex import WORDS, TexPrinter, latex_preamble, latex_prose
@@ -48,9 +48,7 @@ class Latex(TexPrinter):
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
         rows, sheets = LatexRows(self), LatexSheets(self).own()
-        return (
-            super().own() | sheets | {blocks.Picture: picture_in_tikz, Formulas: rows.formulas, Answers: rows.answers}
-        )
+        return super().own() | sheets | drawn(picture_in_tikz) | {Formulas: rows.formulas, Answers: rows.answers}
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         said = self.words(block.words)

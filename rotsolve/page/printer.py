@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Self
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Equality
@@ -54,7 +54,7 @@ class Printer:
     relations: ClassVar[Mapping[str, str]] = {}  # signs that the format writes otherwise
     styles: ClassVar[Mapping[str, str]] = {LABEL: "{}: "}  # of words that stand out, with {} for them
 
-    def in_language(self, language: Language) -> Printer:
+    def in_language(self, language: Language) -> Self:
         """The same format for pages in another language."""
         from copy import copy
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from rotsolve.algebra.notation.typst import number_to_typst, to_typst, typst_string, unit_in_typst
 from rotsolve.page import blocks
 from rotsolve.page.blocks import BOLD, BOTH, CODE, FAULT, ITALIC, LABEL, NAME, STRONG, Bullets
-from rotsolve.page.pictures import picture_in_typst
+from rotsolve.page.pictures import drawn, picture_in_typst
 from rotsolve.page.printer import Lines, Printer
 from rotsolve.page.sheet_typst import TypstSheets
 from rotsolve.page.typst_document import whole_document
@@ -58,8 +58,8 @@ class Typst(Printer):
         return (
             super().own()
             | TypstSheets(self).own()
+            | drawn(picture_in_typst)
             | {
-                blocks.Picture: picture_in_typst,
                 blocks.Labels: rows.labels,
                 blocks.Formulas: rows.formulas,
                 blocks.Answers: rows.answers,

@@ -104,11 +104,11 @@ class OfInertias(AtInstant, frozen=True):
         facts = self._letter(path.owner)
         if along in (None, "z"):
             own = self._own(path.owner)
-            reference = own.reference
-            at_reference = not tidy(self._point(path.owner, term)[0] - reference).parts
             held = self.instant.configuration.pivot(path.owner, self.instant.state) is not None  # by a hinge or axle
+            counted = own.reference if held else own.reference + own.cm  # about which the letter is
+            there = not tidy(self._point(path.owner, term)[0] - counted).parts
             plain = (len(spread.pieces) == 1 and spread.pieces[0].shape.tabled) or held
-            if facts is not None and at_reference and plain and not spread.integrates:
+            if facts is not None and there and plain and not spread.integrates:
                 return Told(facts.letter, "")
             return self._perpendicular(path, term, spread) or inertia.moment(spread, "zz")
         if isinstance(along, tuple):

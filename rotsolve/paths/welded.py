@@ -9,6 +9,7 @@ from rotsolve.core.facts import BodyFacts, Couple, Force, signed
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Path
 from rotsolve.laws.newton import torque_about
@@ -38,14 +39,30 @@ def weld_force(path: Path, item: Connection, body: BodyFacts, instant: Instant) 
 
 def weld_torque(path: Path, item: Connection, body: BodyFacts, instant: Instant) -> Formula:
     """Σ (I α + r × m a) − Σ (r × F + τ) about the weld, over all on the side of the last-named body: its couple, along that one's turn."""
-    side, ref = side_of(item, instant), item.joined()[-1]
+    (*near, ref), side = item.joined(), side_of(item, instant)
+    on_last = not lies_flat(side, body, instant)
+    if not on_last:  # where a surface pushes on it nothing tells: by what it does to the others
+        carried = instant.configuration.carried(body.name, instant.state)
+        side = tuple(name for name in carried if name not in side)
+        if not side or lies_flat(side, body, instant):
+            said = f"where what carries `{ref.owner}` and `{near[0].owner}` pushes on them nothing tells"
+            raise NotYet(said, help=f"ask for the force of `{item.name}`")
     point = instant.mark_of(ref)
     turned = [share_of(name, instant, body).torque(point) for name in side]
     turned += [
         negate(torque_about(point, part) if isinstance(part, Force) else part.torque)
         for part in outside(side, body, instant)
     ]
-    return signed(total(turned), instant.sense(ref.owner))
+    return signed(total(turned), instant.sense(ref.owner) * (1 if on_last else -1))
+
+
+def lies_flat(side: Sequence[str], body: BodyFacts, instant: Instant) -> bool:
+    """Whether one of some bodies, which do not turn, is carried by all of a side of it: where that pushes is not told."""
+    if body.motion.turns:
+        return False
+    items = (item for item in instant.configuration.connections(instant.state) if item.lying() in side)
+    faces = (item.touches()[0] for item in items)
+    return any(ref.point is None and not shape_of(instant.body(ref.owner)).pointlike for ref in faces)
 
 
 def side_of(item: Connection, instant: Instant) -> tuple[str, ...]:

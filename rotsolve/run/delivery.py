@@ -142,5 +142,6 @@ def replacing(path: Path) -> Iterator[Path]:
 
 
 def harmless(text: str) -> str:
-    """The text as a spreadsheet keeps it: an apostrophe in front of what it would take for a formula, and is no number."""
-    return f"'{text}" if text.startswith(FORMULA) and not re.fullmatch(NUMBER, text) else text
+    """The text as a spreadsheet keeps it: an apostrophe in front of what it would take for a formula, and is no number; one more where
+    apostrophes stand there, so that taking one away gives the text again."""
+    return f"'{text}" if text.lstrip("'").startswith(FORMULA) and not re.fullmatch(NUMBER, text) else text

@@ -27,9 +27,10 @@ def small_beside(scope: Scope, node: Node, word: str) -> list[str]:
     one, other = (scope.dimensions.get(letter) for letter in letters)
     if one is not None and other is not None and not one.matches(other):
         return faulted(scope, node, f"`{letters[0]}` and `{letters[1]}` are of different kinds", form)
-    share = rough(Symbol(letters[0]) / Symbol(letters[1]), scope.numbers)
-    if share is not None and not 0.0 < share <= SMALL:
-        message = f"`{letters[0]}` is not small beside `{letters[1]}`: it is {share:.3g} of it"
+    small, large = (rough(Symbol(letter), scope.numbers) for letter in letters)
+    if small is not None and large is not None and not 0.0 < small <= SMALL * large:
+        why = f"it is {small / large:.3g} of it" if large else f"`{letters[1]}` is 0"
+        message = f"`{letters[0]}` is not small beside `{letters[1]}`: {why}"
         return faulted(scope, node, message, f"it may be {SMALL:g} of it at most; leave the approximation out")
     return [f"{letters[0]} {SMALL_BESIDE} {letters[1]}"]
 

@@ -146,7 +146,7 @@ def is_sheet(root: Node) -> TypeGuard[Map]:
 def no_scene_but_sheet(root: Map, file: str) -> Fault:
     """What is said of a sheet where a scene is wanted."""
     key, _ = root.entries[0]
-    help = f"`rotsolve key {file} -o DIR`, with no other file, makes its pages; a scene is one of its problems"
+    help = f"`rotsolve key {file} -o DIR` makes its pages, `rotsolve check {file} ANSWERS` marks it; a scene is one of its problems"
     return Fault("this file is a sheet of problems, and no scene", key.span, help, "sheet")
 
 

@@ -67,7 +67,9 @@ def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
 
 def misplaced(problem: str, mark: Any, lines: tuple[str, ...]) -> Fault | None:
     """A line without its colon, or indented as no other is, which is seen in the lines above the parser's place; None where none is."""
-    above = next((number for number in range(mark.line - 1, -1, -1) if holds_text(lines[number])), None)
+    above = next(
+        (number for number in range(min(mark.line, len(lines)) - 1, -1, -1) if holds_text(lines[number])), None
+    )
     line, before = lines[mark.line] if mark.line < len(lines) else "", "" if above is None else lines[above]
     text, indent, before_indent = before.strip(), indented(line), indented(before)
     if above is None or "expected ',' or" in problem:

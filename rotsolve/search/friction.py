@@ -142,9 +142,10 @@ class Trials:
         yield from (ways_of(self.tied(group).units()) or [])[1:]
 
     def lasts(self, rub: Rub) -> bool:
-        """Whether what rests may begin to slip there: not right before an event, where a finite force does nothing."""
+        """Whether what rests may begin to slip there: right before an event a finite force does nothing, save where it is asked."""
         after = self.configuration.timeline.after(rub.state)
-        return after is None or after.event is None
+        asked = (term for find in self.configuration.problem.finds for term in find.terms)
+        return after is None or after.event is None or any(term.at == rub.state for term in asked)
 
     def search(self, modes: Mapping[str, str], families: tuple[str, ...] = (NEWTON,)) -> Search:
         """What the laws tell where what rubs moves as it is supposed to; the same supposition is looked into once."""

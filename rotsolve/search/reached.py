@@ -49,7 +49,7 @@ def not_reached(search: Search) -> Iterator[NeverReached]:
         if passage is None:
             continue
         end, slowest = configuration.timeline.state(interval.end), creeping(passage, search, aside)
-        why = only_approached(passage, aside)
+        why = only_approached(passage, aside) or unchanging(passage, aside)
         turned = "" if why else not_grown(interval, passage, end, aside)
         why = why or impossible(interval, passage, aside) or overdrawn(interval, passage, aside)
         why = why or only_neared(passage, search, aside)
@@ -110,6 +110,17 @@ def only_neared(passage: Passage, search: Search, aside: Search) -> str:
             sides = [None if value is None else search.numbers.side(value) for value in (last, gone)]
             if sides[0] == 0 and sides[1]:
                 return f"nothing drives {spoken(travel.body)} where it would come to rest"
+    return ""
+
+
+def unchanging(passage: Passage, search: Search) -> str:
+    """Why a speed does not become what a state tells, though the forces beside it vary: nothing drives what has it, at any place."""
+    for travel in passage.travels:
+        if travel.pace in (CONSTANT, TIME) or search.settled(travel.acceleration) != ZERO:
+            continue
+        gained = search.settled(travel.after - travel.before)
+        if gained is not None and search.numbers.side(gained):
+            return f"{spoken(travel.body)} goes on as fast as it does"
     return ""
 
 

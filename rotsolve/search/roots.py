@@ -77,7 +77,7 @@ class RootChoice(Struct, frozen=True):
             numbered = [(index, roots[index]) for index, _ in real]
         if len(real) == 1:
             index, number = real[0]
-            opposed = isinstance(roots[index], Number) and number * self._expected(name)[0] < 0
+            opposed = isinstance(roots[index], Number) and self._expected(name)[0](roots[index]) == -1
             return PickedRoot(index, dropped, fits=not opposed)
         return self._of_several(name, real, numbered, roots, period)
 
@@ -140,14 +140,17 @@ class RootChoice(Struct, frozen=True):
         reached = self._first_round(name, numbered) if reached is None else reached
         if reached is not None:
             return reached
-        sign, words = self._expected(name)
-        fitting = [entry for entry in real if entry[1] * sign > 0]
+        fits, words = self._expected(name)
+        fitting = [entry for entry in real if fits(roots[entry[0]]) == 1]
         if fitting:
             return PickedRoot(self._smallest(fitting, roots), words, guessed=len(fitting) > 1)
         if self._is_angle(name):
             return PickedRoot(self._smallest(real, roots), ("the smallest angle",), guessed=True)
         positive = [entry for entry in real if entry[1] >= 0]
-        return PickedRoot(self._smallest(positive or real, roots), ("the positive root",), guessed=len(positive) != 1)
+        # where all have the wrong sign, one that fits lies farther
+        opposed = all(isinstance(root, Number) and fits(root) == -1 for _, root in numbered)
+        picked = self._smallest(positive or real, roots)
+        return PickedRoot(picked, ("the positive root",), guessed=len(positive) != 1, fits=not opposed)
 
     def _first_round(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
         """Of several places on a round side of a body the one to which comes first what is told to move at the state before."""
@@ -209,19 +212,34 @@ class RootChoice(Struct, frozen=True):
             return False
         return is_zero(found.get(rate.name, rate))
 
-    def _expected(self, name: str) -> tuple[int, Words]:
-        """The sign that a letter must have, also one that is a multiple of another, as a momentum is of a velocity, a work of a way."""
+    def _expected(self, name: str) -> tuple[Callable[[Formula], int], Words]:
+        """Which sign a letter must have, +1 for a value that has it; also of one that a single other letter tells, as an angular momentum
+        that of a turn, or a work a way: what that letter would be must have its sign."""
         expected = Expected(self.scene, self.givens, self.numbers)
         sign, words = expected.sign(name)
-        formula = None if sign else self.definition(name) or self._spelled(name)
-        letters = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
-        if formula is None or len(letters) != 1 or self.numbers.found(formula.substitute({letters[0]: ZERO})) != 0.0:
-            return sign, words
-        share = self.numbers.sign([formula.substitute({letters[0]: ONE})])
-        sign, words = expected.sign(letters[0])
-        if not sign and self._is_rate(letters[0]):  # its positive root is taken where it is asked for itself
-            sign, words = 1, (Symbol(letters[0]), " > 0")
-        return share * sign, words
+        worth: Formula = Symbol(name)
+        for letter, value in () if sign else self._led_by(name):
+            sign, words = expected.sign(letter)
+            if not sign and self._is_rate(letter):  # its positive root is taken where it is asked for itself
+                sign, words = 1, (Symbol(letter), " > 0")
+            if sign:
+                worth = value
+                break
+        return lambda value: sign * (self.numbers.side(worth.substitute({name: value})) or 0), words
+
+    def _led_by(self, name: str) -> list[tuple[str, Formula]]:
+        """The letters for which one stands that are found by it, or the only one that is not found, each with what it is by it."""
+        own = self.definition(name) or self._spelled(name)
+        found = {key: self.numbers.with_answers(Symbol(key)) for key in own.symbols() if is_key(key)} if own else {}
+        led = [(key, value) for key, value in found.items() if name in value.symbols()]
+        left = [key for key, value in found.items() if key in value.symbols()]
+        if own is None or led or len(left) != 1:
+            return [] if left else sorted(led)
+        formula = own.substitute({key: value for key, value in found.items() if key != left[0]})
+        rest, whole = (formula.substitute({left[0]: value}) for value in (ZERO, ONE))
+        share = simplify(whole - rest)
+        linear = share != ZERO and is_zero(formula - rest - share * Symbol(left[0]))
+        return [(left[0], (Symbol(name) - rest) / share)] if linear else []
 
     def _is_rate(self, name: str) -> bool:
         """Whether a letter of the laws tells how fast something moves or turns."""

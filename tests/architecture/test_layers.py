@@ -46,6 +46,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("drawing",),
     ("keys",),
     ("grading",),
+    ("platforms",),
     ("simulation",),
     ("editor",),
     ("templates",),

@@ -59,6 +59,7 @@ def test_what_runs_load_is_kept_in_one_piece_and_follows_the_sources(copy: Path,
     assert common < begun and not any(name.startswith("rotsolve/space/") for name in common)
     assert (solved(copy, IN_SPACE).stdout, solved(copy, IN_THE_PLANE).stdout) == (first.stdout, plane.stdout)
     assert kept(copy) == common, "what all runs need stays"
+    assert "rotsolve/together.py" not in begun | common, "the piece is no part of itself"
 
     source = copy / "rotsolve" / "plan.py"
     source.write_text(source.read_text(encoding="utf-8") + "\nprint('changed')\n", encoding="utf-8")

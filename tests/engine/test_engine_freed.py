@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from rotsolve.core.faults import SceneError
+from rotsolve.page.text import plain_text
+from rotsolve.pipeline import solve_problem
 from rotsolve.scene.read import read_source, read_text
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -29,6 +31,14 @@ bodies: {block: {mass: m, moves: right}}
 connections: {contact: {contact: [block, floor], friction: mu}}
 actions: {pull: {force: F, on: block, direction: right}}
 find: {a: block.acceleration}
+"""
+PULLED_OVER_A_WHEEL = """
+given: {M: 6 kg, m: 4 kg, F: 3 N, R: 1 m}
+surfaces: {floor: level}
+bodies: {ball: {shape: sphere, mass: M, radius: R, moves: left}, load: {mass: m, moves: up}, wheel: {mass: 0}}
+connections: {base: {rolls: [ball, floor]}, stud: {axle: wheel}, rope: {string: [ball.center, wheel, load]}}
+actions: {pull: {force: F, on: ball.center, direction: left}}
+find: {f: base.friction_force}
 """
 
 
@@ -57,3 +67,11 @@ def test_the_relation_sees_what_differs(monkeypatch: pytest.MonkeyPatch) -> None
         "rotsolve.derivation.cases.CaseTeller.more", False
     )  # a page that does not say that there are more
     assert list(freed.differences(read_text(WRONG_WAY))) == ["a: none of 1 branches holds"]
+
+
+def test_friction_in_letters_says_which_way_it_acts() -> None:
+    """Its letters leave that open: it counts against the way of its body, with the numbers as it acts; f = ⅖ M a by hand."""
+    assert list(freed.differences(read_text(PULLED_OVER_A_WHEEL))) == []
+    lettered = solve_problem(freed.freed(read_text(PULLED_OVER_A_WHEEL))).answers["f"].answer
+    assert plain_text(lettered.pointing) == "right if F > m g"
+    assert solve_problem(read_text(PULLED_OVER_A_WHEEL)).answers["f"].answer.direction == "left"

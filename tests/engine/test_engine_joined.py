@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rotsolve import solve
+from rotsolve import Unsolvable, solve
 
 WELD = """
 title: Two discs that are welded to each other
@@ -55,3 +55,33 @@ def test_the_order_of_names_decides_nothing(order: str, asked: str, second: str)
     scene = JOIN.format(first="", second=second, order=order, asked=asked)
     found = solve(scene).answers["W"].float
     assert found == pytest.approx(-4 if second == SENSES[2] and asked.startswith("B") else 4)
+
+
+ONTO_A_CART = """
+given: {m: 4 kg, M: 5 kg, u: 2 m/s}
+bodies: {cart: {mass: m, moves: right}, stone: {mass: M, MOVES}}
+states: {start: {cart.velocity: u, stone.velocity: FALLS}, after: {}}
+events: {hit: {joins: [PAIR], from: start, to: after}}
+find: {v: cart.velocity at after, a: cart.acceleration at after}
+"""
+
+
+@pytest.mark.parametrize("pair", ["stone, cart", "cart, stone"])
+@pytest.mark.parametrize(
+    ("moves", "falls", "brings"), [("moves: down", "3 m/s", 0), ("shape: particle", "[-1 m/s, -3 m/s]", -1)]
+)
+def test_what_falls_on_a_cart_goes_on_with_it_whoever_is_named_first(
+    pair: str, moves: str, falls: str, brings: float
+) -> None:
+    """The ground bears the cart: along it m u + M v_x is kept."""
+    found = solve(ONTO_A_CART.replace("MOVES", moves).replace("FALLS", falls).replace("PAIR", pair))
+    assert found.answers["v"].float == pytest.approx((4 * 2 + 5 * brings) / 9)
+    assert found.answers["a"].float == 0
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+@pytest.mark.parametrize("pair", ["stone, cart", "cart, stone"])
+@pytest.mark.parametrize(("moves", "falls"), [("moves: up", "3 m/s"), ("shape: particle", "[-1 m/s, 3 m/s]")])
+def test_what_comes_from_below_would_lift_a_cart(pair: str, moves: str, falls: str) -> None:
+    with pytest.raises(Unsolvable, match="`hit` pushes `cart` to the side of the line along which it `moves`"):
+        solve(ONTO_A_CART.replace("MOVES", moves).replace("FALLS", falls).replace("PAIR", pair))

@@ -54,7 +54,8 @@ def test_both_orders_of_two_limits_have_to_agree() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("10 g", "1 kg", "is not small beside"),
+        ("10 g", "1 kg", "is not small beside `M`: it is 0.2 of it"),
+        ("5 kg", "0 kg", "is not small beside `M`: `M` is 0"),
         ("m << M", "m << R", "are of different kinds"),
         ("m << M", "q << M", "is no given"),
         ("m << M", "m << m", "does not say which letter"),

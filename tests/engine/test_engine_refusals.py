@@ -369,3 +369,19 @@ def test_what_is_read_of_a_body_is_not_lost_on_the_way_to_a_help() -> None:
         find: {y: bolt.torque at end}
         """)
     assert "say more about the state" in refused.value.fault.help
+
+
+@pytest.mark.parametrize("word", ["sticks", "rolls"])
+@pytest.mark.parametrize("friction", ["", ", friction: none"], ids=["left out", "none"])
+def test_nothing_sticks_without_friction(word: str, friction: str) -> None:
+    """What is said to hold where nothing rubs is refused by that name, whatever is asked."""
+    scene = f"""
+given: {{v: 3 m/s}}
+surfaces: {{floor: level}}
+bodies: {{wheel: {{shape: disc, mass: 2 kg, radius: 1 m, moves: right}}}}
+connections: {{under: {{contact: [wheel, floor]{friction}}}}}
+states: {{start: {{wheel.velocity: v}}, end: {{under: {word}}}}}
+find: {{a: wheel.acceleration at end}}
+"""
+    with pytest.raises(Unsolvable, match=f"`under` has no friction: nothing {word} there"):
+        solve(scene)

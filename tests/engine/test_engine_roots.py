@@ -251,3 +251,41 @@ find: {{p: p}}
     assert angle is not None
     assert float(force.split()[0]) * math.sin(angle) == pytest.approx(3 * angle, abs=1e-12)
     assert ("of 2 stable ones" in str(found).replace("\n", " ")) == (count == 2)
+
+
+@pytest.mark.parametrize("time", [0.4, 1.4, 2.3, 3.3])
+def test_what_goes_by_a_rate_has_its_sign_however_often_that_turned_round(time: float) -> None:
+    """From rest a couple twists a ring against a wire: ω = Q Ω/k sin Ω t, with Ω² = k/(M R²) for the ring, whose centre stays."""
+    scene = f"""
+given: {{R: 0.6 m, M: 1 kg, k: 24 N m/rad, Q: 11 N m, t1: {time} s}}
+surfaces: {{floor: level}}
+bodies: {{ring: {{shape: ring, mass: M, radius: R}}, cart: {{mass: 2 kg, moves: left}}}}
+connections: {{under: {{contact: [cart, floor]}}, mount: {{axle: [cart, ring]}}, wire: {{torsion: ring, stiffness: k}}}}
+actions: {{twist: {{couple: Q, on: ring}}}}
+states: {{start: {{at rest: all}}, end: {{time: t1}}}}
+find: {{q: QUESTION at end}}
+"""
+    beat = math.sqrt(24 / 0.36)
+    rate = 11 * beat / 24 * math.sin(beat * time)
+    true = {
+        "ring.angular_momentum about ring.bottom": 0.36 * rate,
+        "twist.power": 11 * rate,
+        "ring.top.velocity.x": -0.6 * rate,
+    }
+    for question, expected in true.items():
+        assert value(scene.replace("QUESTION", question), "q") == pytest.approx(expected, rel=1e-6), question
+
+
+@pytest.mark.parametrize("time", [0.2, 0.6, 1.3])
+def test_what_goes_by_several_rates_has_the_sign_of_each(time: float) -> None:
+    """A ball rolls to and fro on a spring: (7/5) M ẍ = −k x; about where it touches it has (7/5) M R v, clockwise as it goes right."""
+    scene = f"""
+given: {{R: 0.5 m, M: 5 kg, k: 70 N/m, x: 1 m, t1: {time} s}}
+surfaces: {{floor: level}}
+bodies: {{ball: {{shape: sphere, mass: M, radius: R, moves: right}}}}
+connections: {{base: {{rolls: [ball, floor]}}, coil: {{spring: [ground, ball], stiffness: k}}}}
+states: {{start: {{coil.elongation: x, at rest: all}}, end: {{time: t1}}}}
+find: {{q: ball.angular_momentum about ball.bottom at end}}
+"""
+    beat = math.sqrt(70 / 7)
+    assert value(scene, "q") == pytest.approx(-7 * 0.5 * beat * math.sin(beat * time), rel=1e-6)

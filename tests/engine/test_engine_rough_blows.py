@@ -117,3 +117,25 @@ def test_a_rough_blow_goes_as_its_slip_goes(number: int) -> None:
     solution = solve(case.scene())
     assert not solution.derivation.refused and all(item.holds for item in solution.derivation.confirmed)
     assert {name: answer.float for name, answer in solution.answers.items()} == pytest.approx(truth, rel=1e-8, abs=1e-9)
+
+
+@pytest.mark.parametrize(("blow", "before", "aim"), [(8, 1, -120), (1, 1, -120), (5, 0, -95), (5, -1, -100)])
+def test_what_resists_rolling_resists_in_a_blow(blow: float, before: float, aim: float) -> None:
+    """A ring hit on top: about where it touches 2 M R² (ω' − ω) = 2 R J cos φ ∓ b Jₙ, against the turn with which it leaves the blow."""
+    found = (
+        solve(f"""
+given: {{R: 0.69 m, M: 3.2 kg, b: 18 mm, J: {blow} N s, v: {before} m/s, phi: {aim} deg}}
+surfaces: {{floor: level}}
+bodies: {{ring: {{shape: ring, mass: M, radius: R, moves: right}}}}
+connections: {{base: {{rolls: [ring, floor], rolling_friction: b}}}}
+states: {{start: {{ring.velocity: v}}, after: {{}}}}
+events: {{hit: {{impulse: J, on: ring.top, direction: phi, from: start, to: after}}}}
+find: {{w: ring.angular_velocity at after}}
+""")
+        .answers["w"]
+        .float
+    )
+    inertia, way = 2 * 3.2 * 0.69**2, math.radians(aim)
+    free = before / 0.69 + 2 * 0.69 * blow * math.cos(way) / inertia
+    drag = 0.018 * blow * math.sin(-way) / inertia
+    assert found == pytest.approx(free - math.copysign(drag, free), rel=1e-6)

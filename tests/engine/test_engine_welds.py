@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from rotsolve import solve
+from rotsolve import Unsolvable, solve
 
 G = 9.8
 STEP = 1e-5
@@ -156,3 +156,38 @@ def test_a_composite_moves_as_its_places_say(seed: int, form: str, support: str)
     scene, true = composite(seed, form, support)
     answers = solve(scene, confirm=False).answers
     assert {name: answers[name].float for name in true} == pytest.approx(true, rel=1e-5, abs=1e-6), scene
+
+
+@pytest.mark.parametrize("weld", ["load, crate.corner2", "crate.corner2, load"])
+@pytest.mark.parametrize(("pulled", "couple"), [("crate.center", 0.0), ("load.top", 8.0)])
+def test_the_torque_of_a_weld_to_what_lies_on_a_face(weld: str, pulled: str, couple: float) -> None:
+    """Where the floor pushes on a crate nothing tells: the couple of the weld is what keeps the other, F R on its top, from turning."""
+    found = solve(f"""
+given: {{b: 0.4 m, M: 5 kg, m: 3 kg, R: 0.2 m, F: 40 N, mu: 0.3}}
+surfaces: {{floor: level}}
+bodies: {{crate: {{shape: rectangle, mass: M, sides: [b, b/2], moves: right}}, load: {{shape: disc, mass: m, radius: R}}}}
+connections: {{base: {{contact: [crate, floor], friction: mu}}, bolt: {{weld: [{weld}]}}}}
+actions: {{pull: {{force: F, on: {pulled}, direction: right}}}}
+states: {{start: {{crate.velocity: 1 m/s}}}}
+find: {{q: bolt.torque at start}}
+""")
+    way = "counterclockwise" if weld.endswith("load") else "clockwise"  # which is that of the last-named, too
+    assert found.answers["q"].float == pytest.approx(couple, abs=1e-9)
+    assert found.answers["q"].direction == (way if couple else "")
+    assert all(item.holds for item in found.derivation.confirmed)
+
+
+def test_the_torque_of_a_weld_between_two_that_lie_on_faces_is_refused() -> None:
+    with pytest.raises(Unsolvable, match="where what carries `two` and `one` pushes on them nothing tells"):
+        solve("""
+given: {b: 0.4 m, M: 5 kg, F: 40 N}
+surfaces: {floor: level}
+bodies: {one: {shape: rectangle, mass: M, sides: [b, b], moves: right}, two: {shape: rectangle, mass: M, sides: [b, b]}}
+connections:
+  under: {contact: [one, floor]}
+  base: {contact: [two, floor]}
+  bolt: {weld: [one.corner2, two.corner1]}
+actions: {pull: {force: F, on: one.corner3, direction: right}}
+states: {start: {at rest: all}}
+find: {q: bolt.torque at start}
+""")

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.grading.course.questions import SheetTask, Task
 from rotsolve.grading.course.sheet import from_answers, read_sheet
 from rotsolve.grading.course.table import read_table
 from rotsolve.grading.marking.judge import Judge
@@ -101,8 +102,9 @@ def test_components_may_be_handed_in_one_by_one() -> None:
     assert from_answers(["L_x = 1", "L_{y} = 2", "L_z = 3 N m s"], ["L", "K"], PARTS).answers == {"L": told}
     yaml = read_sheet("L_x: 1\nL_y: 2\nL_z: 3 N m s\n", "ada.yaml", ["L", "K"], PARTS)
     assert yaml.answers == {"L": told}
-    table = read_table("name,L_x,L_y,L_z (N m s),K\nAda,1,2,3,5 J\n", "class.csv", ["L", "K"], PARTS)
-    assert table.entries[0].paper is not None and table.entries[0].paper.answers == {"L": told, "K": "5 J"}
+    task = SheetTask("", (Task("", {name: Symbol(name) for name in ("L", "K")}, PARTS),))
+    table = read_table("name,L_x,L_y,L_z (N m s),K\nAda,1,2,3,5 J\n", "class.csv", task)
+    assert table.entries[0].papers is not None and table.entries[0].papers[0].answers == {"L": told, "K": "5 J"}
 
 
 def test_a_vector_as_a_whole_goes_before_its_components() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rotsolve.grading.marking.judge import Judge
-from rotsolve.grading.verdict import PARTLY, RIGHT, UNDECIDED, WRONG, JudgedPart, Paper
+from rotsolve.grading.verdict import OUTCOMES, JudgedPart, Paper
 from rotsolve.pipeline import solve
 
 HERE = Path(__file__).parent
@@ -42,6 +42,6 @@ def test_verdict(problem: str, name: str, text: str, expected: str) -> None:
     found = part(problem, name, text)
     kinds = sorted({remark.kind for remark in found.verdict.remarks})
     said = " ".join([found.verdict.outcome, str(found.marks), *kinds])
-    outcome = next(word for word in (RIGHT, PARTLY, WRONG, UNDECIDED) if expected.startswith(word))
+    outcome = next(word for word in OUTCOMES if expected.startswith(word))
     rest = expected.removeprefix(outcome).split()
     assert said == " ".join([outcome, rest[0], *sorted(rest[1:])])

@@ -131,7 +131,8 @@ def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
 def force(at: Node, path: Path, term: Term | None) -> Reckoned:
     """On the last-named body: its components, its size, or its parts across the arm and inwards; of belts and gears that at the rims."""
     at.told(path.owner)
-    if is_belt(element(at, path.owner)) or is_gear(element(at, path.owner)):
+    item = element(at, path.owner)
+    if is_belt(item) or is_gear(item):
         sizes = [abs(size) for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("force")]
         if len(sizes) != 1:
             raise NotConfirmed(f"the force of `{path.owner}` is not the same throughout")

@@ -74,7 +74,16 @@ class Contact(Touch, frozen=True):
         if self.press is not None and under.owner not in scene.bodies:
             help = "a force that presses a body on a surface stands among the actions"
             raise Unsolvable(f"`press` of `{self.name}` is for two wheels", span=under.span, help=help)
+        self.check_holds(scene)
         super().check(scene)
+
+    def check_holds(self, scene: Surroundings) -> None:
+        """Nothing is said to stick or to roll at a state by what has no friction."""
+        for line in (line for state in scene.problem.states for line in state.conditions):
+            own = line.path is not None and line.path.owner == self.name
+            if own and line.word in ("sticks", "rolls") and self.friction.kind == "none":
+                help = f"give it its `friction`, or tell the speed of `{self.contact[0].owner}` at that state"
+                raise Unsolvable(f"`{self.name}` has no friction: nothing {line.word} there", span=line.span, help=help)
 
     def seen(self, scene: SceneElements, level: Container[str]) -> Connection:
         """From above what lies on a level table rubs over its whole face, and a particle on what turns goes round with it."""

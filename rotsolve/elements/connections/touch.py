@@ -250,8 +250,9 @@ class Touch(Connection, frozen=True):
     def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
         surface = self.surface(configuration, state)
-        aside = self.side is not None or self.travels(configuration, state)
-        if not isinstance(surface, Curved) or not self.rests(body) or aside:
+        if not isinstance(surface, Curved) or not self.rests(body) or self.side is not None:
+            return None
+        if self.travels(configuration, state):
             return None
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
         way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
@@ -262,7 +263,7 @@ class Touch(Connection, frozen=True):
     def travels(self, configuration: Surroundings, state: str) -> bool:
         """Whether a round body on which something lies travels, and does not only turn on a fixed axle."""
         carrier = self.carrier(configuration)
-        return bool(carrier) and configuration.pivot(configuration.host(carrier, state), state) is None
+        return bool(carrier) and not configuration.pinned(carrier, state)
 
     def on_inside(self) -> bool | None:
         """Whether it lies inside a round body; None where nothing tells."""

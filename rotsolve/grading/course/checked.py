@@ -12,8 +12,11 @@ from msgspec.structs import replace
 from rotsolve.core.faults import Unsolvable
 from rotsolve.grading.course.command import SEED
 from rotsolve.grading.course.examiner import Judges, variant_of
-from rotsolve.grading.course.report.student import StudentPage, Task
+from rotsolve.grading.course.marked import MarkedSheet
+from rotsolve.grading.course.questions import SheetTask, Task
+from rotsolve.grading.course.report.student import StudentPage
 from rotsolve.grading.course.sheet import content_of, from_answers, from_yaml, meant_answer, read_sheet
+from rotsolve.grading.course.students import Student
 from rotsolve.grading.verdict import RIGHT, JudgedLine, JudgedPart, Marked, Paper
 from rotsolve.language.words import hint
 from rotsolve.page.formats import WIDTH, format_named
@@ -125,7 +128,7 @@ class CheckedPaper(Struct, frozen=True):
     @property
     def right(self) -> bool:
         """Whether every answer is right, and no line of working wrong."""
-        return self.marked.all_right
+        return MarkedSheet((self.marked,)).all_right
 
     @property
     def marks(self) -> float:
@@ -165,7 +168,8 @@ class CheckedPaper(Struct, frozen=True):
 
     @property
     def _page(self) -> StudentPage:
-        return StudentPage(self.task, self.marked, self.variant)
+        task = SheetTask(self.task.title, (self.task,))
+        return StudentPage(task, MarkedSheet((self.marked,)), Student(self.marked.student), self.variant)
 
     def __str__(self) -> str:
         return self.to("text").rstrip("\n")

@@ -9,13 +9,18 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, RotsolveError, SceneError
-from rotsolve.grading.course.examiner import Judges, NotMarked, variant_of
+from rotsolve.grading.course.by_problem import papers_of_answers, read_papers_of_student
+from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.examiner import NotMarked
+from rotsolve.grading.course.marked import MarkedSheet
+from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.student import StudentPage
-from rotsolve.grading.course.sheet import HandedInError, content_of, from_answers, read_sheet
+from rotsolve.grading.course.sheet import HandedInError, content_of
+from rotsolve.grading.course.students import Student
 from rotsolve.grading.verdict import Marked
 from rotsolve.page.blocks import Page
 from rotsolve.page.formats import TERMINAL, format_named, format_of_file
-from rotsolve.page.text import PRINTER, plain_text
+from rotsolve.page.text import PRINTER
 from rotsolve.run import coloured
 from rotsolve.run.attempt import PIPED, failure_outcome, name_of, piped, scene_source
 
@@ -36,6 +41,9 @@ class CheckRequest(Struct, frozen=True):
     variants: int | None = None
     seed: int = SEED
     width: int = 120
+    jobs: int = 1
+    shows_right: bool = False
+    anew: bool = False
     cluster: str | None = None  # the address of a scheduler, whose workers mark
 
     @property
@@ -62,23 +70,20 @@ def run_check(request: CheckRequest) -> int:
         return refuse_check("error: either the problem or the answers can come from standard input")
     try:
         scene = scene_source(request.problem, piped((request.problem,)))
-        judges = Judges(scene, request.seed, request.variants)
+        examination = Examination.of_file(scene, request.seed, request.variants)
     except Exception as error:
         return refuse_check(failure_outcome(request.problem, error).message)
-    for found in judges.solution.checks:
-        if found.holds is False:
-            said = plain_text(found.words)
-            return refuse_check(f"error: the answers of {name_of(request.problem)} do not hold: {said}")
+    examination.shows_right = request.shows_right
     try:
         if request.marks_alone:
             from rotsolve.grading.course.stream.run import mark_stream
 
-            return mark_stream(request, judges)
+            return mark_stream(request, examination)
         if request.of_class:
             from rotsolve.grading.course.many import check_class
 
-            return check_class(request, judges)
-        return check_one(request, judges)
+            return check_class(request, examination)
+        return check_one(request, examination)
     except SceneError as error:
         return refuse_check(error.render())
     except RotsolveError as error:
@@ -92,29 +97,41 @@ def refuse_check(message: str) -> int:
     return BAD
 
 
-def check_one(request: CheckRequest, judges: Judges) -> int:
-    """Mark one paper; the exit code says whether all of it is right."""
-    asked = tuple(judges.task.letters)
+def check_one(request: CheckRequest, examination: Examination) -> int:
+    """Mark the papers of one student; the exit code says whether all of them are right."""
+    task = examination.task
     if request.typed:
-        paper = from_answers(request.typed, asked, judges.task.parts)
+        papers = papers_of_answers(request.typed, task)
     else:
-        paper = read_sheet(content_of(request.answers), name_of(request.answers), asked, judges.task.parts)
-    if not paper.variant and request.variant is not None:
-        paper = replace(paper, variant=str(request.variant))
+        papers = read_papers_of_student(content_of(request.answers), name_of(request.answers), task)
+    variant = papers[0].variant or ("" if request.variant is None else str(request.variant))
+    papers = tuple(replace(paper, variant=variant) for paper in papers)
     try:
-        marked = judges.judge(variant_of(paper)).mark(paper)
+        marked = examination.mark_one(papers)
     except NotMarked as reason:
         raise HandedInError([Fault(str(reason), None, "", "variant")], (), name_of(request.answers)) from None
     if request.typed:
-        marked = answered(marked)
-    elif judges.problem.vary is not None and not paper.variant:
+        task, marked = only_answered(task, marked)
+    elif examination.varies and not variant:
         print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
-    failed = show_page(StudentPage(judges.task, marked, paper.variant), request, request.output)
+    page = StudentPage(task, marked, Student(papers[0].student), variant)
+    failed = show_page(page, request, request.output)
     return failed or (ALL_RIGHT if marked.all_right else NOT_ALL_RIGHT)
 
 
-def answered(marked: Marked) -> Marked:
-    """The paper without what was not answered."""
+def only_answered(task: SheetTask, marked: MarkedSheet) -> tuple[SheetTask, MarkedSheet]:
+    """The papers without what was not answered, and what was asked of them."""
+    kept = [place for place, one in enumerate(marked.problems) if any(part.text for part in one.parts)]
+    problems = tuple(answered_problem(marked.problems[place]) for place in kept)
+    right = tuple(
+        tuple(answer for answer in marked.right[place] if answer.name in {part.name for part in one.parts})
+        for place, one in zip(kept, problems, strict=True)
+    )
+    return replace(task, tasks=tuple(task.tasks[place] for place in kept)), MarkedSheet(problems, right)
+
+
+def answered_problem(marked: Marked) -> Marked:
+    """The paper of one problem without what was not answered."""
     parts = tuple(part for part in marked.parts if part.text)
     return replace(marked, parts=parts, marks=sum(part.marks for part in parts), of=sum(part.of for part in parts))
 

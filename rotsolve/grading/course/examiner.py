@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import RotsolveError, Unsolvable
 from rotsolve.derivation.requirements import ROOT, SLIPS
-from rotsolve.grading.course.report.student import Task
+from rotsolve.grading.course.questions import Task
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
@@ -20,6 +20,7 @@ from rotsolve.scene.read import Source, read_source
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
+    from rotsolve.core.derivation import Answer
     from rotsolve.grading.marking.explaining import Wrong
     from rotsolve.grading.marking.judge import Judge
     from rotsolve.grading.mistakes.table import WrongAnswers
@@ -41,7 +42,7 @@ class NotMarked(RotsolveError, ValueError):
 def mark_papers(papers: Sequence[Paper | None], judge: Callable[[int], Judge]) -> Iterator[tuple[int, Marked | str]]:
     """The place of each paper with its marks, or why it has none; variant by variant, so that one judge is held at a time.
 
-    `judge` is asked for the numbers of the variants, 0 for the scene as it stands.
+    `judge` is asked for the numbers of the variants in rising order, 0 for the scene as it stands.
     """
     groups: dict[int, list[tuple[int, Paper]]] = {}
     for place, paper in enumerate(papers):
@@ -92,6 +93,13 @@ class Judges:
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
         self._found: list[Worked] = []  # the variants up to the highest that was asked for
         self._unusable = "there are no variants that can be used"
+        # the answers to the variants that were asked for, 0 for the scene as it stands
+        self.right: dict[int, tuple[Answer, ...]] = {}
+        self.judge: Callable[[int], Judge] = self.new_judge
+
+    def keep(self, judges: int) -> None:
+        """From now on keep so many judges, those asked for last, from one question to the next; those that were kept are forgotten."""
+        self.judge = lru_cache(judges)(self.new_judge)
 
     @property
     def task(self) -> Task:
@@ -105,9 +113,10 @@ class Judges:
         }
         return Task(self.problem.title, letters, {name: whole for name, whole in parts.items() if name not in letters})
 
-    def judge(self, number: int) -> Judge:
+    def new_judge(self, number: int) -> Judge:
         """The judge of a variant, 0 for the scene as it stands; in any order."""
         if number == 0:
+            self.right[0] = self.solution.derivation.answers
             return marker_of(self.solution, self.wrong_for(self.solution))
         if self.problem.vary is None:
             raise NotMarked("the problem has no `vary`, so there are no variants of it")
@@ -124,6 +133,14 @@ class Judges:
         if number > len(self._found):
             raise NotMarked(self._unusable)
         solution = self.varied(self._found[number - 1])
+        self.right[number] = solution.derivation.answers
+        return self.judge_of(solution)
+
+    def judge_worked(self, worked: Worked) -> Judge:
+        """The judge of a variant that is worked out already."""
+        return self.judge_of(self.varied(worked))
+
+    def judge_of(self, solution: Solution) -> Judge:
         return marker_of(solution, self.wrong_for(solution))
 
     @cached_property

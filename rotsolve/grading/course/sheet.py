@@ -146,6 +146,11 @@ def from_lines(lines: Sequence[str], file: str, asked: Sequence[str], parts: Par
 def from_yaml(text: str, file: str, asked: Sequence[str], parts: Parts) -> Paper:
     """`a: …`, and beside the answers `student`, `variant` and `working`, a text or a list of them."""
     root, lines = compose(text, file)
+    return from_map(root, lines, file, asked, parts)
+
+
+def from_map(root: Node, lines: Sequence[str], file: str, asked: Sequence[str], parts: Parts) -> Paper:
+    """The same of a map that has been read."""
     if not isinstance(root, Map):
         raise HandedInError([Fault("answers are a map", root.span, f"write `{asked[0]}: …`")], lines, file)
     faults: list[Fault] = []

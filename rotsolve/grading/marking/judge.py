@@ -19,10 +19,11 @@ from rotsolve.grading.marking.cases import Cases
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.target import SceneLetters, Target
-from rotsolve.grading.marking.texts import CHAIN, Defined, JudgedText, Texts
+from rotsolve.grading.marking.texts import CHAIN, EMPTY, Defined, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR
 from rotsolve.grading.verdict import (
+    NO_ANSWER,
     PARTLY,
     RIGHT,
     WRONG,
@@ -171,6 +172,8 @@ def judged_part(target: Target, text: str, one: JudgedText, followed: bool) -> J
     if earned and marking.points:  # one word for each state of the marks
         outcome = RIGHT if left == marking.points else PARTLY if left else WRONG
     verdict = Verdict(outcome, one.read_as, (*read, *finding.remarks))
+    if not text or any(remark.kind == EMPTY for remark in finding.remarks):
+        verdict = Verdict(NO_ANSWER)
     return JudgedPart(target.name, text, verdict, left, marking.points, followed)
 
 

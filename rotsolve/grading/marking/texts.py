@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 LONGEST_ECHO = 400  # characters of a line that is said back
 Defined = tuple[tuple[str, Formula], ...]  # letters that the student brought in, with what they stand for
 CHAIN = "chain"  # the kind of a remark on the way to an answer
+EMPTY = "empty"  # the kind of the remark on a text that is no answer, as `?`
 NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
 
 
@@ -79,7 +80,7 @@ class Texts:
             return unreadable(long)
         text = plain_width(text)
         if NOTHING.fullmatch(text):
-            return JudgedText(None, found(WRONG, "empty", "not answered"))
+            return JudgedText(None, found(WRONG, EMPTY, "not answered"))
         if target.word:
             return JudgedText(None, word_judged(text, target))
         if is_direction(without_letter(text)):

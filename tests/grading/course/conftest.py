@@ -12,7 +12,18 @@ import pytest
 from rotsolve import cli
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.grading.course import examiner
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedLine, JudgedPart, Marked, Paper, Remark, Verdict
+from rotsolve.grading.verdict import (
+    NO_ANSWER,
+    RIGHT,
+    UNDECIDED,
+    WRONG,
+    JudgedLine,
+    JudgedPart,
+    Marked,
+    Paper,
+    Remark,
+    Verdict,
+)
 from rotsolve.solution import Solution
 
 SCENE = """\
@@ -45,14 +56,16 @@ class MadeUp:
 
     def part(self, name: str, text: str) -> JudgedPart:
         verdict = self.verdict(text)
-        marks = {RIGHT: Fraction(2), WRONG: Fraction(0), UNDECIDED: Fraction(1, 3)}[verdict.outcome]
+        marks = {RIGHT: Fraction(2), UNDECIDED: Fraction(1, 3)}.get(verdict.outcome, Fraction(0))
         return JudgedPart(name, text, verdict, marks, Fraction(2), "own" in text)
 
     def verdict(self, text: str) -> Verdict:
         remarks = [MISTAKE] if "bad" in text else []
         for start in (place for place in range(len(text)) if text.startswith("odd", place)):
             remarks.append(Remark("reading", (f"unexpected `odd` in column {start + 1}",), start, start + 3))
-        if remarks or not text:
+        if not text:
+            return Verdict(NO_ANSWER)
+        if remarks:
             return Verdict(WRONG, "", tuple(remarks))
         return Verdict(UNDECIDED, "x + y") if "?" in text else Verdict(RIGHT)
 

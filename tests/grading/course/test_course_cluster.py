@@ -15,13 +15,13 @@ from typing import Any
 import pytest
 
 from rotsolve.grading.course.stream import cluster, run
-from rotsolve.grading.course.stream.assignment import BATCH, Assignment, MarkedRows
+from rotsolve.grading.course.stream.assignment import BATCH, Assignment, MarkedRows, named_batch
 from rotsolve.grading.course.stream.cluster import AHEAD, Cluster, ClusterError, told_version
 from rotsolve.grading.course.stream.kept import KeptBatches
 
 distributed = pytest.importorskip("distributed")
 Command = Callable[..., Any]
-ASSIGNMENT = Assignment("", (), 1, None)
+ASSIGNMENT = Assignment(b"", 1, None)
 BATCHES = 8
 
 
@@ -87,7 +87,7 @@ def test_a_report_is_that_of_this_process(command: Command, workers: Any) -> Non
         {path.relative_to(folder): path.read_bytes() for path in Path(folder).rglob("*.*")}
         for folder in ("here", "there")
     )
-    assert here == other and len(here) == BATCH + 22
+    assert here == other and len(here) == BATCH + 26
 
 
 def test_few_batches_are_out(command: Command, workers: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -121,7 +121,7 @@ def dying(assignment: Assignment, batch: int) -> int:
 
 def test_papers_that_kill_whoever_marks_them(workers: Any) -> None:
     with Cluster(workers.scheduler_address) as there, pytest.raises(ClusterError) as error:
-        list(there.each(dying, ASSIGNMENT, ((number, number) for number in range(6))))
+        list(there.each(dying, ASSIGNMENT, ((number, number) for number in range(6)), named_batch))
     died = r"2 workers died one after the other that had papers \d+ to \d+, perhaps by others"
     assert re.fullmatch(rf"{died} that they had: has each enough memory\?", str(error.value))
 
@@ -167,12 +167,12 @@ def test_another_version(command: Command, workers: Any, monkeypatch: pytest.Mon
 def test_a_worker_of_another_version_that_comes_later(workers: Any) -> None:
     from rotsolve.grading.course.stream.marker import rows_of_worker
 
-    later = Assignment("", (), 1, None, "9.9")
+    later = Assignment(b"", 1, None, False, "9.9")
     with (
         Cluster(workers.scheduler_address) as there,
         pytest.raises(ClusterError, match=r"a worker has rotsolve 0\.1\.0"),
     ):
-        list(there.each(rows_of_worker, later, [(0, [])]))
+        list(there.each(rows_of_worker, later, [(0, [])], named_batch))
 
 
 def test_a_worker_without_rotsolve() -> None:
@@ -186,7 +186,7 @@ def test_no_worker_is_left(workers: Any, monkeypatch: pytest.MonkeyPatch) -> Non
         monkeypatch.setattr(cluster, word, 0.1)
     monkeypatch.setattr(Cluster, "workers", lambda self: {})
     with Cluster(workers.scheduler_address) as there, pytest.raises(ClusterError, match="no worker is left at tcp"):
-        list(there.each(sleeping, ASSIGNMENT, [(0, 5)]))
+        list(there.each(sleeping, ASSIGNMENT, [(0, 5)], named_batch))
 
 
 def sleeping(assignment: Assignment, batch: float) -> float:
@@ -204,7 +204,7 @@ def test_a_scheduler_that_is_gone(monkeypatch: pytest.MonkeyPatch) -> None:
         Cluster(local.scheduler_address) as there,
         pytest.raises(ClusterError, match=r"the scheduler at .* is gone"),
     ):
-        for _ in there.each(sleeping, ASSIGNMENT, ((number, 0.2) for number in range(100))):
+        for _ in there.each(sleeping, ASSIGNMENT, ((number, 0.2) for number in range(100)), named_batch):
             local.close(timeout=2)
 
 

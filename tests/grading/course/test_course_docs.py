@@ -12,8 +12,9 @@ from rotsolve import cli
 
 ROOT = Path(__file__).resolve().parents[3]
 PAGE = ROOT / "docs" / "checking.md"
-FILE = re.compile(r"[Ss]ave this as `([\w.]+)`:\n\n```\w+\n(.*?)```", re.DOTALL)
-COMMAND = re.compile(r"```sh\nrotsolve (.*?)\n```\n(?:\n```text\n(.*?)```)?", re.DOTALL)
+FILE = r"(?:[Ss]ave this as|Put this into) `(?P<name>[\w./]+)`:\n\n```\w+\n(?P<file>.*?)```"
+COMMAND = r"```sh\nrotsolve (?P<words>.*?)\n```\n(?:\n```text\n(?P<out>.*?)```)?"
+STEP = re.compile(f"{FILE}|{COMMAND}", re.DOTALL)
 
 
 def printed(words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
@@ -25,31 +26,44 @@ def printed(words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
     return int(left.value.code or 0), captured.out
 
 
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with the files of the page."""
-    for name, text in FILE.findall(PAGE.read_text(encoding="utf-8")):
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
 def test_the_commands_of_the_page_print_what_it_shows(
-    folder: Path, capsys: pytest.CaptureFixture[str], regenerate: bool
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], regenerate: bool
 ) -> None:
     """`pytest tests/grading/course --regenerate` writes what they print anew."""
-    text = PAGE.read_text(encoding="utf-8")
-    shown = [(found[1], found[2]) for found in COMMAND.finditer(text)]
-    assert len(shown) == 6 and {path.name for path in folder.iterdir()} == {"winch.yaml", "class.csv", "ada.txt"}
-    for words, expected in shown:
+    monkeypatch.chdir(tmp_path)
+    text, told = PAGE.read_text(encoding="utf-8"), []
+    for step in list(STEP.finditer(text)):
+        if step["name"]:
+            Path(step["name"]).write_text(step["file"], encoding="utf-8")
+            told.append(step["name"])
+            continue
+        words, expected = step["words"], step["out"]
         code, out = printed(words, capsys)
         if regenerate and expected is not None:
-            text = text.replace(
-                f"rotsolve {words}\n```\n\n```text\n{expected}", f"rotsolve {words}\n```\n\n```text\n{out}"
-            )
+            old, new = (f"rotsolve {words}\n```\n\n```text\n{said}```" for said in (expected, out))
+            assert old in text
+            text = text.replace(old, new, 1)
         elif expected is not None:
             assert out == expected
-        assert code == (1 if "class.csv" in words or "ada.txt" in words else 0), words
+        assert code == (0 if "--answer " in words or words.startswith("key") else 1), words
+        told.append(words.split()[0])
+    assert told == [
+        *("winch.yaml", "key", "class.csv", "ada.txt", "check", "check", "check", "check"),
+        *(
+            "roll.yaml",
+            "homework.yaml",
+            "form.csv",
+            "check",
+            "late.csv",
+            "check",
+            "marked/overrides.csv",
+            "check",
+            "check",
+        ),
+    ]
     if regenerate:
         PAGE.write_text(text, encoding="utf-8")
-    assert (folder / "report" / "marks.csv").is_file() and any((folder / "handout").iterdir())
+    for folder in ("report", "marked"):
+        assert Path(folder, "marks.csv").is_file()
+    (carol,) = Path("marked", "students").glob("*carol*")
+    assert "marked by hand: the bracket is only missing" in carol.read_text(encoding="utf-8")

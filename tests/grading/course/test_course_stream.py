@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 import sys
 from collections.abc import Callable, Iterator
 from fractions import Fraction
@@ -48,6 +49,11 @@ def rows_in(file: str) -> list[list[str]]:
         return list(csv.reader(stream))
 
 
+def head_of(out: str) -> str:
+    """What a report says of the class, without what it says of its own files."""
+    return "".join(line for line in out.splitlines(keepends=True) if not re.search(r"gradebook|^The summary", line))
+
+
 # the same rows
 
 
@@ -67,8 +73,7 @@ def test_the_rows_are_those_of_a_report(made_up: Command, text: str, name: str) 
     report, stream = made_up("class.csv", "-o", "report"), made_up("class.csv", "-o", name)
     assert Path(name).read_bytes() == Path("report/marks.csv").read_bytes()
     assert (stream.code, stream.err) == (report.code, report.err) == (1, "")
-    assert stream.out.splitlines()[:-1] == report.out.splitlines()[:-1]
-    assert stream.out.splitlines()[-1] == f"The marks are in {name}."
+    assert stream.out == f"{head_of(report.out)}The marks are in {name}.\n"
     assert not Path(f"{name}.parts").exists()
 
 
@@ -76,7 +81,7 @@ def test_several_batches_give_the_rows_of_a_report(made_up: Command) -> None:
     Path("class.csv").write_text(many(2 * BATCH + 7), encoding="utf-8")
     report, stream = made_up("class.csv", "-o", "report"), made_up("class.csv", "-o", "marks.csv")
     assert Path("marks.csv").read_bytes() == Path("report/marks.csv").read_bytes()
-    assert stream.out.splitlines()[:-1] == report.out.splitlines()[:-1]
+    assert stream.out == f"{head_of(report.out)}The marks are in marks.csv.\n"
 
 
 def test_variants_in_any_order(command: Command) -> None:
@@ -94,7 +99,7 @@ def test_variants_in_any_order(command: Command) -> None:
 
 
 def test_from_and_to_parquet(made_up: Command) -> None:
-    text = HEADER + 'Ada,,g,g/R,0,m g = m a\nBob,,bad,,"2,5 N",bad; good\nada,,?,g/R,12,\nEve,3,g,g/R,0,\n'
+    text = HEADER + 'Ada,,g,g/R,0,m g = m a\nBob,,bad,,"2,5 N",bad; good\nCid,,?,g/R,12,\nEve,3,g,g/R,0,\n'
     Path("class.csv").write_text(text, encoding="utf-8")
     parquet_of(text)
     for source in ("csv", "parquet"):
@@ -107,11 +112,18 @@ def test_from_and_to_parquet(made_up: Command) -> None:
     assert [row[0] for row in by_parquet[1:]] == ["1", "2", "3", "4"]
     table = parquet.read_table("csv.parquet")
     assert table.column_names == by_csv[0]
-    assert [str(field.type) for field in table.schema][:5] == ["int64", "string", "string", "string", "double"]
+    assert [str(field.type) for field in table.schema][:6] == [
+        "int64",
+        "string",
+        "string",
+        "string",
+        "string",
+        "double",
+    ]
     for row, cells in zip(by_csv[1:], table.to_pylist(), strict=True):
         told = [str(cell) if isinstance(cell, str) else cell for cell in cells.values()]
-        assert [cell or None for cell in row[:3]] == [str(told[0]), *told[1:3]]
-        assert [float(row[4]), float(row[9])] == [told[4], told[9]] if row[4] else told[4] is None
+        assert [cell or None for cell in row[:4]] == [str(told[0]), *told[1:4]]
+        assert [float(row[5]), float(row[10])] == [told[5], told[10]] if row[5] else told[5] is None
 
 
 def test_a_report_from_parquet(made_up: Command) -> None:
@@ -135,8 +147,8 @@ def test_values_that_are_no_texts(made_up: Command) -> None:
     parquet.write_table(pyarrow.table(columns), "class.parquet")
     ran = made_up("class.parquet", "-o", "marks.csv")
     rows = rows_in("marks.csv")[1:]
-    assert [row[1] for row in rows] == ["7", "8", "9"]
-    assert rows[0][3] == "right" and rows[1][-1].startswith("the problem has no `vary`")
+    assert [row[2] for row in rows] == ["7", "8", "9"]
+    assert rows[0][4] == "right" and rows[1][-1].startswith("not marked: the problem has no `vary`")
     assert "No column is named alpha." in ran.out
 
 
@@ -154,6 +166,49 @@ def test_values_that_are_no_texts(made_up: Command) -> None:
 )
 def test_cells(value: object, text: str) -> None:
     assert cell_text(value) == text
+
+
+# whose papers
+
+
+def test_a_number_that_stands_twice(made_up: Command) -> None:
+    """A table of marks has a row for each paper; a report has the last of each student."""
+    papers = "Ada,4711,g\nBob,12,g\nAda,4711,bad\nBob,13,g\nAda,,g\nAda L.,4711,g\n"
+    Path("class.csv").write_text(f"name,number,a\n{papers}", encoding="utf-8")
+    made_up("class.csv", "-o", "marks.csv")
+    rows = rows_in("marks.csv")[1:]
+    assert [row[1] for row in rows] == [
+        *("Ada (4711), line 2", "Bob (12)", "Ada (4711), line 4", "Bob (13)", "Ada (line 6)", "Ada L.")
+    ]
+    assert [row[-1].partition(";")[0] for row in rows] == [
+        "the same name stands in line 6",
+        "",
+        "the same name stands in line 6",
+        "",
+        "the same name stands in lines 2, 4",
+        "the number 4711 stands in lines 2, 4",
+    ]
+    assert "the number 4711 stands in lines 4, 7" in rows[0][-1] and rows[1][-1] == ""
+
+
+def test_a_sheet_by_processes(made_up: Command) -> None:
+    """All problems of a sheet; and the rows are those of a report, in one process or in two."""
+    Path("roll.yaml").write_text(Path("scene.yaml").read_text(encoding="utf-8"), encoding="utf-8")
+    sheet = "sheet: Two\nproblems: [{problem: scene.yaml, points: 9}, {problem: roll.yaml, name: roll}]\n"
+    Path("sheet.yaml").write_text(sheet, encoding="utf-8")
+    rows = "".join(f"{number},g,{'bad' if number % 7 else 'g'},m g = m a\n" for number in range(BATCH + 9))
+    Path("class.csv").write_text(f"number,1.a,roll.a,2.working\n{rows}", encoding="utf-8")
+    Path("scene.yaml").replace("first.yaml")
+    Path("sheet.yaml").write_text(sheet.replace("scene.yaml", "first.yaml"), encoding="utf-8")
+    Path("sheet.yaml").replace("scene.yaml")  # which is what the command marks by
+    for output, words in (("report", ()), ("one.csv", ()), ("two.csv", ("--jobs", "2")), ("report2", ("--jobs", "2"))):
+        assert made_up("class.csv", "-o", output, *words).code == 1
+    whole = Path("report/marks.csv").read_text(encoding="utf-8")
+    assert whole.startswith("line,student,number,variant,1.a verdict,1.a,") and "problem 1,problem 2,marks" in whole
+    assert whole == Path("one.csv").read_text(encoding="utf-8")
+    real = Path("two.csv").read_text(encoding="utf-8")  # processes have the real judge
+    assert real == Path("report2/marks.csv").read_text(encoding="utf-8")
+    assert real.count("\n") == whole.count("\n") and real != whole
 
 
 # what can't be
@@ -203,6 +258,10 @@ def test_lines_are_split_as_the_whole_text_is(tmp_path: Path) -> None:
         (
             ("-o", "marks.csv", "-f", "html"),
             "error: marks.csv is a table of marks, which has no format of pages; leave out -f html\n",
+        ),
+        (
+            ("-o", "marks.csv", "--answers"),
+            "error: marks.csv is a table of marks, which has no pages of students; leave out --answers\n",
         ),
         (("-o", "gone/marks.csv"), "error: cannot write gone/marks.csv: No such file or directory\n"),
     ],
@@ -316,24 +375,25 @@ def test_few_papers_are_held(made_up: Command, monkeypatch: pytest.MonkeyPatch) 
     """Of thousands of rows no more than two batches are read that are not marked yet, and a judge lives for some thousand papers."""
     Path("class.csv").write_text(many(FORGETTING + 3 * BATCH), encoding="utf-8")
     read, most, judges = 0, 0, set()
-    marked, plain = Marker.marked, run.varied_entry
+    rows, plain = Marker.rows, run.varied_entry
 
     def counting(entry: Any, variant: int | None) -> Any:
         nonlocal read
         read += 1
         return plain(entry, variant)
 
-    def watching(self: Marker, papers: Any) -> Any:
+    def watching(self: Marker, named: Any) -> Any:
         nonlocal read, most
         most = max(most, read)
-        read -= len(papers)
-        judges.add(id(self.judge(0)))
-        kept_alive.append(self.judge(0))
-        return marked(self, papers)
+        read -= len(named)
+        found = rows(self, named)
+        kept_alive.append(self.examination.judges[0].judge(0))
+        judges.add(id(kept_alive[-1]))
+        return found
 
     kept_alive: list[Any] = []
     monkeypatch.setattr(run, "varied_entry", counting)
-    monkeypatch.setattr(Marker, "marked", watching)
+    monkeypatch.setattr(Marker, "rows", watching)
     assert made_up("class.csv", "-o", "marks.csv").code == 1
     assert read == 0 and most <= 2 * BATCH and len(judges) == 2
 

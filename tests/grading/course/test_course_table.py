@@ -9,19 +9,26 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rotsolve.algebra.formula import Symbol
+from rotsolve.grading.course.columns import SEPARATORS
+from rotsolve.grading.course.questions import SheetTask, Task
 from rotsolve.grading.course.sheet import meant_answer, name_and_text, read_sheet
-from rotsolve.grading.course.table import KEPT, SEPARATORS, Entry, Handed, read_table
+from rotsolve.grading.course.table import KEPT, Entry, Handed, read_table
 
 ASKED = ("a", "alpha", "T", "omega0", "v_end")
 
 
+SCENE = SheetTask("", (Task("", {name: Symbol(name) for name in ASKED}),))
+
+
 def table(text: str) -> Handed:
-    return read_table(text, "class.csv", ASKED)
+    return read_table(text, "class.csv", SCENE)
 
 
 def answers(entry: Entry) -> dict[str, str]:
-    assert entry.paper is not None, entry.remarks
-    return dict(entry.paper.answers)
+    """What a row has answered."""
+    assert entry.papers is not None, entry.remarks
+    return {name: text for name, text in entry.papers[0].answers.items() if text}
 
 
 @pytest.mark.parametrize("separator", SEPARATORS)
@@ -31,26 +38,34 @@ def test_separators(separator: str, mark: str, end: str) -> None:
     lines = ["name|a|α|T", 'Ada|"(3, 4; 5) N"|2|0', "Bob|1||"]
     found = table(mark.format(separator) + "\n".join(line.replace("|", separator) for line in lines) + end)
     assert found.columns.separator == separator
-    assert [entry.student for entry in found.entries] == ["Ada", "Bob"]
+    assert [entry.student.name for entry in found.entries] == ["Ada", "Bob"]
     assert answers(found.entries[0]) == {"a": "(3, 4; 5) N", "alpha": "2", "T": "0"}
     assert answers(found.entries[1]) == {"a": "1"}
     assert found.byte_order_mark == (mark == "\ufeff")
 
 
 @pytest.mark.parametrize(
-    ("header", "student", "variant", "working", "unused"),
+    ("header", "people", "working", "unused"),
     [
-        ("a,T", None, None, None, ()),
-        ("name,a", 0, None, None, ()),
-        ("Timestamp,Email Address,Full name,a,Variant", 2, 4, None, ("Timestamp", "Email Address")),
-        ("who,a,remark", 0, None, None, ("remark",)),
-        ("a,Student_ID,working,version,,", 1, 3, 2, ()),
-        ("id,name,a", 1, None, None, ("id",)),
+        ("a,T", {}, None, ()),
+        ("name,a", {"name": 0}, None, ()),
+        ("Timestamp,Email Address,Full name,a,Variant", {"name": 2, "email": 1, "variant": 4}, None, ("Timestamp",)),
+        ("who,a,remark", {"name": 0}, None, ("remark",)),
+        ("a,Student_ID,working,version,,", {"number": 1, "variant": 3}, 2, ()),
+        ("id,name,a", {"name": 1, "number": 0}, None, ()),
+        ("First name,Surname,ID number,a", {"first": 0, "last": 1, "number": 2}, None, ()),
+        ("Vorname,Nachname,Matrikel-Nr.,E-Mail-Adresse,a", {"first": 0, "last": 1, "number": 2, "email": 3}, None, ()),
+        (
+            "Student,ID,SIS User ID,SIS Login ID,Section,a",
+            {"name": 0, "canvas": 1, "number": 2, "login": 3, "section": 4},
+            None,
+            (),
+        ),
     ],
 )
-def test_columns(header: str, student: int, variant: int, working: int, unused: tuple[str, ...]) -> None:
+def test_columns(header: str, people: dict[str, int], working: int | None, unused: tuple[str, ...]) -> None:
     found = table(f"{header}\n{'x,' * header.count(',')}x\n").columns
-    assert (found.student, found.variant, found.working, found.unused) == (student, variant, working, unused)
+    assert (found.people, found.workings.get(0), found.unused) == (people, working, unused)
 
 
 def test_a_header_over_several_lines() -> None:
@@ -104,11 +119,11 @@ def test_a_row_that_can_not_be_read_takes_no_other_with_it() -> None:
         "Kim,7,8,9",
     ]
     found = table("name,a,alpha,T\n" + "\n".join(rows) + "\n").entries
-    assert [entry.student for entry in found] == ["Ada", "Bob", "Éva", "Fay", "Gus", "Ida", "Jo", "Kim"]
+    assert [entry.student.name for entry in found] == ["Ada", "Bob", "Éva", "Fay", "Gus", "Ida", "Jo", "Kim"]
     assert [entry.line for entry in found] == [2, 3, 4, 5, 6, 7, 9, 10]
-    assert [entry.paper is None for entry in found] == [False, True, False, True, True, False, True, False]
+    assert [entry.papers is None for entry in found] == [False, True, False, True, True, False, True, False]
     assert answers(found[5]) == {"a": "x y", "alpha": "5", "T": "6"}
-    assert all(entry.remarks for entry in found if entry.paper is None)
+    assert all(entry.remarks for entry in found if entry.papers is None)
 
 
 def test_what_is_noted_of_rows() -> None:
@@ -146,7 +161,7 @@ def test_what_is_no_unit_over_a_column() -> None:
 
 def test_an_apostrophe_by_which_a_spreadsheet_kept_a_text() -> None:
     found = table("name,a,alpha,T\n'=Ada,'-4.36 m/s²,'=g/R,5' 3\n").entries[0]
-    assert (found.student, answers(found)) == ("=Ada", {"a": "-4.36 m/s²", "alpha": "=g/R", "T": "5' 3"})
+    assert (found.student.name, answers(found)) == ("=Ada", {"a": "-4.36 m/s²", "alpha": "=g/R", "T": "5' 3"})
 
 
 def test_a_name_in_a_thousand_rows() -> None:
@@ -157,7 +172,7 @@ def test_a_name_in_a_thousand_rows() -> None:
 
 def test_working_in_a_cell() -> None:
     found = table('name,a,working\nAda,1,"mg - T = ma\n\nTR = Iα; a = αR ;"\n').entries
-    assert found[0].paper is not None and found[0].paper.working == ("mg - T = ma", "TR = Iα", "a = αR")
+    assert found[0].papers is not None and found[0].papers[0].working == ("mg - T = ma", "TR = Iα", "a = αR")
 
 
 CELLS = st.text(st.characters(exclude_categories=("Cs", "Cc"), include_characters="\n\t"), max_size=30)
@@ -183,10 +198,10 @@ def test_what_a_spreadsheet_writes_is_read_as_it_was(rows: list[list[str]], sepa
 def test_any_text_is_a_table_or_refused(text: str) -> None:
     from rotsolve.core.faults import SceneError
 
-    for read in (read_table, read_sheet):
-        for content in (text, f"name,a\n{text}", f"a = {text}", f"a: {text}"):
+    for content in (text, f"name,a\n{text}", f"a = {text}", f"a: {text}"):
+        for read, asked in ((read_table, SCENE), (read_sheet, ASKED)):
             try:
-                read(content, "x", ASKED)
+                read(content, "x", asked)
             except SceneError as error:
                 assert error.faults
 

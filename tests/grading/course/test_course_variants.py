@@ -52,7 +52,7 @@ def marks(command: Command, rows: list[list[str]], names: list[str]) -> list[str
     """The marks of a class of these rows."""
     with Path("class.csv").open("w", encoding="utf-8", newline="") as stream:
         csv.writer(stream).writerows([["name", "variant", *names], *rows])
-    command("class.csv", "--variants", "30", "--seed", "7", "-o", "report")
+    command("class.csv", "--variants", "30", "--seed", "7", "-o", "report", "--anew")
     with Path("report", "marks.csv").open(encoding="utf-8", newline="") as stream:
         return [row["marks"] for row in csv.DictReader(stream)]
 

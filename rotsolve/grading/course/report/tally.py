@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from fractions import Fraction
 
 from msgspec import Struct, field
 
+from rotsolve.grading.course.marked import MarkedSheet
+from rotsolve.grading.course.questions import Asked, SheetTask
 from rotsolve.grading.course.report.student import marks_text
-from rotsolve.grading.verdict import Marked
 from rotsolve.page.blocks import Paragraph
+from rotsolve.page.text import plain_text
 
 NAMED = 10  # papers that are named in one sentence
-FEW = 3  # papers of which none having a right number may be chance
+TELLING = 3  # papers of which none having a right number may be chance
 
 
 class Tally(Struct):
@@ -36,7 +38,12 @@ class Tally(Struct):
         """How many papers were marked."""
         return self.without + self.varied
 
-    def count(self, name: str, variant: str, marked: Marked | None) -> None:
+    @property
+    def all_faultless(self) -> bool:
+        """Whether all is right in every paper."""
+        return self.faultless == self.papers
+
+    def count(self, name: str, variant: str, marked: MarkedSheet | None) -> None:
         """Count one paper more; None is one that could not be marked."""
         self.papers += 1
         self.variants += bool(variant)
@@ -62,6 +69,12 @@ class Tally(Struct):
         self.named = [*self.named, *other.named][:NAMED]
         for word in ("papers", "full", "variants", "without", "varied", "numbers", "right", "faultless"):
             setattr(self, word, getattr(self, word) + getattr(other, word))
+
+
+def head_of_class(task: SheetTask, held: Collection[Asked], tally: Tally, seed: int | None) -> Iterator[str]:
+    """What a summary begins with, a sentence a line; `held` are the answers that there are columns of."""
+    for paragraph in (*overview(tally, seed), *without_column(task, held), *doubtful_variants(tally, seed)):
+        yield plain_text(paragraph.words)
 
 
 def overview(tally: Tally, seed: int | None) -> Iterator[Paragraph]:
@@ -90,6 +103,13 @@ def median_of_counts(counts: dict[Fraction, int]) -> Fraction:
     return sum(found, Fraction(0)) / 2
 
 
+def without_column(task: SheetTask, held: Collection[Asked]) -> Iterator[Paragraph]:
+    """Answers that no column holds."""
+    absent = [task.key(asked) for asked in task.asked() if asked not in held]
+    if absent:
+        yield Paragraph((f"No column is named {', '.join(absent)}.",))
+
+
 def doubtful_variants(tally: Tally, seed: int | None) -> Iterator[Paragraph]:
     """Papers of a problem with variants that tell none, and a seed that can not be that of the sheets."""
     if seed is None:
@@ -98,5 +118,5 @@ def doubtful_variants(tally: Tally, seed: int | None) -> Iterator[Paragraph]:
         named = f"{', '.join(tally.named)}{', …' if tally.without > NAMED else ''}"
         whose = f"Papers that tell no variant: {named}" if tally.varied else "No paper tells its variant"
         yield Paragraph((f"{whose}. They were marked with the numbers of the problem itself.",))
-    if tally.varied >= FEW and tally.numbers and not tally.right:
+    if tally.varied >= TELLING and tally.numbers and not tally.right:
         yield Paragraph((f"No paper with a variant has a right number: is {seed} the seed of the sheets?",))

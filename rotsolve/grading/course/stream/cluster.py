@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, nullcontext
 from time import monotonic
 from types import TracebackType
 from typing import Any, TypeVar
 
 from rotsolve import __version__
 from rotsolve.core.faults import RotsolveError, missing_package
-from rotsolve.grading.course.stream.assignment import BATCH, Assignment, OtherVersion
+from rotsolve.grading.course.stream.assignment import Assignment, OtherVersion
 
 Given = TypeVar("Given")
 Done = TypeVar("Done")
@@ -21,6 +22,11 @@ AHEAD = 2  # batches that are out at a time, for each worker
 
 class ClusterError(RotsolveError):
     """Why a cluster can't mark."""
+
+
+def joined_cluster(address: str | None) -> AbstractContextManager[Cluster | None]:
+    """The cluster at an address, where there is one."""
+    return nullcontext() if address is None else Cluster(address)
 
 
 class Cluster:
@@ -64,16 +70,20 @@ class Cluster:
                 raise ClusterError(told_version(worker, found))
 
     def each(
-        self, work: Callable[[Assignment, Given], Done], assignment: Assignment, batches: Iterable[tuple[int, Given]]
+        self,
+        work: Callable[[Assignment, Given], Done],
+        assignment: Assignment,
+        batches: Iterable[tuple[int, Given]],
+        named: Callable[[int], str],
     ) -> Iterator[tuple[int, Done]]:
-        """What comes of each batch, with its number, once, as soon as it is there; few are out at a time."""
+        """What comes of each batch, with its number, once, as soon as it is there; few are out at a time. `named` says which it is."""
         out: dict[Any, int] = {}
         for number, batch in batches:
             while len(out) >= AHEAD * max(1, len(self.workers())):
-                yield self.first_done(out)
+                yield self.first_done(out, named)
             out[self.client.submit(work, assignment, batch, pure=False)] = number
         while out:
-            yield self.first_done(out)
+            yield self.first_done(out, named)
 
     def workers(self) -> dict[str, int]:
         """The workers that are there, with their threads."""
@@ -86,7 +96,7 @@ class Cluster:
     def lost(self) -> ClusterError:
         return ClusterError(f"the scheduler at {self.address} is gone")
 
-    def first_done(self, out: dict[Any, int]) -> tuple[int, Any]:
+    def first_done(self, out: dict[Any, int], named: Callable[[int], str]) -> tuple[int, Any]:
         """The first batch that is done, which is taken out of those that are not."""
         self.wait_for(list(out))
         future = next(one for one in out if one.done())
@@ -96,8 +106,7 @@ class Cluster:
         try:
             return number, future.result()
         except self.distributed.KilledWorker as error:
-            some = f"papers {number * BATCH + 1} to {number * BATCH + BATCH}"
-            died = f"{error.allowed_failures + 1} workers died one after the other that had {some}"
+            died = f"{error.allowed_failures + 1} workers died one after the other that had {named(number)}"
             raise ClusterError(f"{died}, perhaps by others that they had: has each enough memory?") from None
         except OtherVersion as error:
             raise ClusterError(told_version("a worker", str(error))) from None

@@ -13,7 +13,9 @@ from pathlib import Path
 
 import msgspec
 
-from rotsolve.grading.course.stream.assignment import Assignment, MarkedRows
+from rotsolve import __version__
+from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.stream.assignment import MarkedRows
 from rotsolve.run.delivery import replacing
 
 OF = "of-this-run"  # the file that tells what the batches are of
@@ -23,10 +25,10 @@ OURS = re.compile(r"of-this-run|\d{8}\.rows|\.(of-this-run|\d{8}\.rows)\.\d+\.ne
 class KeptBatches:
     """The folder beside the output; those of another problem, other papers or another choice are removed first."""
 
-    def __init__(self, output: str, told: str) -> None:
+    def __init__(self, output: str, told: str, anew: bool = False) -> None:
         self.folder, self.told = Path(f"{output}.parts"), told
         note = self.folder / OF
-        if not note.is_file() or note.read_text(encoding="utf-8") != told:
+        if anew or not note.is_file() or note.read_text(encoding="utf-8") != told:
             self.remove()
             self.folder.mkdir(exist_ok=True)
             with replacing(note) as fresh:
@@ -67,10 +69,15 @@ def read_rows(path: Path) -> MarkedRows:
     return msgspec.msgpack.decode(path.read_bytes(), type=MarkedRows)
 
 
-def told_run(assignment: Assignment, papers: str, variant: int | None, size: int) -> str:
-    """What batches are of, as a digest: the assignment, the bytes of the papers, the variant of those that name none, and their size."""
+def told_run(examination: Examination, papers: str, variant: int | None, size: int) -> str:
+    """What batches are of, as a digest: what is asked and how it is marked, the bytes of the papers, the variant of those that name
+    none, and how many papers a batch has."""
     with open(papers, "rb") as stream:
         content = file_digest(stream, "sha256").hexdigest()
-    return sha256(
-        msgspec.json.encode([assignment, papers.lower().rpartition(".")[2], content, variant, size])
-    ).hexdigest()
+    first, tasks = examination.judges[0], examination.task.tasks
+    asked = [
+        (one.problem.lines, task.number, task.name, list(task.labels.items()), list(map(str, task.points.values())))
+        for one, task in zip(examination.judges, tasks, strict=True)
+    ]
+    marking = [__version__, examination.task.is_sheet, asked, first.seed, first.count]
+    return sha256(msgspec.json.encode([marking, Path(papers).suffix.lower(), content, variant, size])).hexdigest()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from decimal import Decimal
 from itertools import chain
 from math import isfinite
@@ -13,16 +13,10 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, missing_package
-from rotsolve.grading.course.sheet import BYTES, MARK, SAVE, HandedInError, Parts, file_error
-from rotsolve.grading.course.table import (
-    Columns,
-    Entry,
-    columns_called,
-    doubled_column,
-    opened_table,
-    row_entry,
-    whole_entries,
-)
+from rotsolve.grading.course.columns import Columns, columns_called, doubled_column
+from rotsolve.grading.course.questions import SheetTask
+from rotsolve.grading.course.sheet import BYTES, MARK, SAVE, HandedInError, file_error
+from rotsolve.grading.course.table import Entry, entries_of_file, opened_table, row_entry, tells_no_student
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.encoding import decoded
 
@@ -42,15 +36,15 @@ def is_parquet(file: str) -> bool:
     return file.lower().endswith(PARQUET)
 
 
-def open_papers(file: str, asked: Sequence[str], parts: Parts) -> PaperFile:
+def open_papers(file: str, sheet: SheetTask) -> PaperFile:
     """The table of a file, whose name says what it is; HandedInError where it is none."""
     try:
         if is_parquet(file):
-            return open_parquet(file, asked, parts)
+            return open_parquet(file, sheet)
         lines = decoded_lines(file)
         first = next(lines, "")
         plain = first.removeprefix(MARK)
-        columns, entries = opened_table(chain([plain], lines), file, asked, parts)
+        columns, entries = opened_table(chain([plain], lines), file, sheet)
         return PaperFile(columns, first != plain, entries)
     except OSError as error:
         said = os.strerror(error.errno) if error.errno else error
@@ -87,30 +81,29 @@ def moved_down(error: SceneError, lines: int) -> tuple[list[Fault], tuple[str, .
 # Parquet
 
 
-def open_parquet(file: str, asked: Sequence[str], parts: Parts) -> PaperFile:
+def open_parquet(file: str, sheet: SheetTask) -> PaperFile:
     """The table of a Parquet file: the names of its columns are what the first line of a CSV is."""
-    pyarrow, parquet = arrow()
+    pyarrow, parquet = parquet_packages()
     try:
         table = parquet.ParquetFile(file, pre_buffer=False)
     except pyarrow.ArrowInvalid as error:
         raise file_error("this is no Parquet file", str(error).partition(". ")[0], file) from None
     names = table.schema_arrow.names
-    found = columns_called(names, "", (*asked, *parts))
-    twice = doubled_column(names, asked)
+    found = columns_called(names, "", sheet)
+    twice = doubled_column(names, sheet)
     if twice or not found.answers:
         message = f"two columns are {quoted(twice)}" if twice else "no column has the name of an answer"
-        help = "give one another name" if twice else hint(next(iter(names), ""), asked, "asked")
+        help = "give one another name" if twice else hint(next(iter(names), ""), sheet.names(), "asked")
         raise file_error(message, help, file)
-    told = (found.student, found.variant, found.working)
-    used = {*found.answers.values(), *(place for place in told if place is not None)}
+    used = {*found.answers.values(), *found.workings.values(), *found.people.values()}
     for place in used:
         refuse_kind(pyarrow, names[place], table.schema_arrow.types[place], file)
     rows = (row for batch in table.iter_batches(AT_ONCE) for row in cell_rows(batch, used))
-    entries = (row_entry(number, row, found) for number, row in enumerate(rows, 1))
-    return PaperFile(found, False, whole_entries(entries, found, file, asked, parts))
+    entries = (row_entry(number, row, found, sheet) for number, row in enumerate(rows, 1) if not tells_no_student(row))
+    return PaperFile(found, False, entries_of_file(entries, file))
 
 
-def arrow() -> tuple[Any, Any]:
+def parquet_packages() -> tuple[Any, Any]:
     """The package that reads and writes Parquet."""
     try:
         import pyarrow

@@ -8,33 +8,34 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.folder import marks_columns, spreadsheet_row
 from rotsolve.grading.course.sheet import MARK
-from rotsolve.grading.course.stream.papers import PaperFile, arrow, is_parquet
+from rotsolve.grading.course.stream.papers import PaperFile, is_parquet, parquet_packages
 from rotsolve.run.delivery import replacing
 
 TABS = (".tsv", ".tab")
 GROUP = 10_000  # rows that are written to a Parquet file at a time
 
 
-def write_marks(output: str, rows: Iterable[list[str]], names: tuple[str, ...], papers: PaperFile) -> None:
+def write_marks(output: str, rows: Iterable[list[str]], task: SheetTask, papers: PaperFile) -> None:
     """Write the rows; a CSV is separated as the papers are, unless its name says that it is by tabs."""
     with replacing(Path(output)) as fresh:
         if is_parquet(output):
-            write_parquet(fresh, iter(rows), names)
+            write_parquet(fresh, iter(rows), task)
             return
         separator = "\t" if output.lower().endswith(TABS) else papers.columns.separator or ","
         with fresh.open("w", encoding="utf-8", newline="") as stream:
             stream.write(MARK if papers.byte_order_mark else "")
             writer = csv.writer(stream, delimiter=separator, lineterminator="\n")
-            writer.writerow(marks_columns(names))
+            writer.writerow(marks_columns(task))
             writer.writerows(spreadsheet_row(row, separator) for row in rows)
 
 
-def write_parquet(fresh: Path, rows: Iterator[list[str]], names: tuple[str, ...]) -> None:
+def write_parquet(fresh: Path, rows: Iterator[list[str]], task: SheetTask) -> None:
     """The rows with a type for each column; what a CSV leaves empty is null."""
-    pyarrow, parquet = arrow()
-    schema = marks_schema(pyarrow, names)
+    pyarrow, parquet = parquet_packages()
+    schema = marks_schema(pyarrow, task)
     with parquet.ParquetWriter(fresh, schema) as writer:
         while group := list(islice(rows, GROUP)):
             cells = zip(*group, strict=True)
@@ -42,11 +43,13 @@ def write_parquet(fresh: Path, rows: Iterator[list[str]], names: tuple[str, ...]
             writer.write_table(pyarrow.Table.from_arrays(arrays, schema=schema))
 
 
-def marks_schema(pyarrow: Any, names: tuple[str, ...]) -> Any:
+def marks_schema(pyarrow: Any, task: SheetTask) -> Any:
     """Lines are whole numbers, marks are numbers, all else is text."""
     text, number = pyarrow.string(), pyarrow.float64()
-    kinds = [pyarrow.int64(), text, text, *(text, number) * len(names), number, number, text]
-    return pyarrow.schema(list(zip(marks_columns(names), kinds, strict=True)))
+    answers = (text, number) * len(list(task.asked()))
+    problems = (number,) * (len(task.tasks) if task.is_sheet else 0)
+    kinds = [pyarrow.int64(), text, text, text, *answers, *problems, number, number, text]
+    return pyarrow.schema(list(zip(marks_columns(task), kinds, strict=True)))
 
 
 def typed_column(pyarrow: Any, column: Iterable[str], kind: Any) -> Any:
