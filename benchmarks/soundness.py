@@ -51,7 +51,7 @@ MEANING = {
     UNTELLABLE: "as incomplete, contradictory or never reached",
     SAID: "the assembly contradicts: the answer is withheld",
     SILENT: "another answer when the scene is said otherwise",
-    SLOW: "more than 2 s of CPU",
+    SLOW: "more than 2 s of CPU, or no end of it and of the same said otherwise after 20 s",
     BROKEN: "internal error, or a scene that can't be read",
 }
 
@@ -103,7 +103,9 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="of the random scenes (1)")
     parser.add_argument("--first", type=int, default=0, help="number of the first scene (0)")
     parser.add_argument("--jobs", type=int, default=2, help="processes (2)")
-    parser.add_argument("--time-limit", type=float, default=20.0, help="seconds after which a scene is given up (20)")
+    parser.add_argument(
+        "--time-limit", type=float, default=20.0, help="seconds of CPU after which a scene is given up (20)"
+    )
     parser.add_argument("--failures", type=Path, default=Path("soundness-failures"), help="where wrong scenes go")
     parser.add_argument("--space", action="store_true", help="scenes in space")
     parser.add_argument("--write", action="store_true", help="write the table into docs/benchmarks.md")
