@@ -23,11 +23,10 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.elements.connections.lying import check_wheel
-from rotsolve.elements.shapes import rim_radius, rims
+from rotsolve.elements.shapes import fixed_in, rim_radius, rims
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Action, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
-from rotsolve.language.shape import WHEEL
 
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
 
@@ -74,10 +73,8 @@ class AppliedForce(Action, frozen=True):
         on = self.on
         if on is None or on.owner not in configuration.bodies or self.direction in SQUARE or self.over or self.under:
             return ()
-        name, body = configuration.host(on.owner, state), configuration.bodies[on.owner]
-        rim = rim_radius(body, on.point) is not None and (on.point in WHEEL or on.point in rims(body))
-        place = PointRef(on.owner, "center") if rim else on
-        return (name,) if configuration.swings_round(place, state) else ()
+        place = fixed_in(on, configuration.bodies[on.owner])
+        return (configuration.host(on.owner, state),) if configuration.swings_round(place, state) else ()
 
     def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
         """Square to an arm, with no way round said."""

@@ -302,12 +302,14 @@ class Standing(Struct, frozen=True, dict=True):
         return any(ref.owner in carried for item in self.configuration.connections(self.state) for ref in item.winds())
 
     def leant_on(self, name: str) -> bool:
-        """Whether something pulls on a body in a direction that stays while the arm turns with it, from one state to another."""
+        """Whether something pulls on a body in a direction that does not turn with the arm, from one state to another; the angle of a rod
+        that weighs is always looked at."""
         configuration = self.configuration
-        several = len(configuration.timeline.states) > 1
-        return several and any(
-            name in item.leans(configuration, self.state) for item in configuration.actions(self.state)
-        )
+        if len(configuration.timeline.states) < 2:
+            return False
+        rod = configuration.heavy and shape_of(self.body(name)).slender
+        items = configuration.actions(self.state) if rod else configuration.acting(self.state)
+        return any(name in item.leans(configuration, self.state) for item in items)
 
     def carries_round(self, name: str) -> bool:
         """Whether from one state to another a body takes along, round the point about which it turns, a joint with another."""

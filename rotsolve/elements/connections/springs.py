@@ -12,7 +12,7 @@ from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, squar
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between, rightward
-from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes import fixed_in, shape_of
 from rotsolve.language.bodies import Body, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -63,6 +63,11 @@ class Spring(Connection, frozen=True):
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
+
+    def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
+        what = configuration.bodies
+        places = (fixed_in(ref, what[ref.owner]) for ref in self.spring if ref.owner in what)
+        return tuple(configuration.host(ref.owner, state) for ref in places if configuration.swings_round(ref, state))
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         first, second = self.ends(instant)

@@ -46,6 +46,12 @@ def rims(body: Body) -> dict[str, Formula]:
     return {**dict(getattr(shape_of(body), "radii", ())), **dict(body.radii)}
 
 
+def fixed_in(ref: PointRef, body: Body) -> PointRef:
+    """A point that turns with a body: for a place on its rim, whose names are directions in space, its centre."""
+    on_rim = rim_radius(body, ref.point) is not None and (ref.point in WHEEL or ref.point in rims(body))
+    return PointRef(ref.owner, "center") if on_rim else ref
+
+
 def round_part(body: Body, point: str | None) -> Part | None:
     """The part of a body that a point names, where it has a rim of its own."""
     part = next((part for part in body.parts if part.body.name == point), None)
