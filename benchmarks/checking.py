@@ -34,7 +34,7 @@ from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target
 from rotsolve.grading.mistakes.table import Wrong
 from rotsolve.grading.verdict import Paper
-from rotsolve.process import GARBAGE
+from rotsolve.start import GARBAGE
 
 PROBLEMS = Path(__file__).resolve().parent.parent / "problems"
 EACH = 4  # of so many problem files, one is taken

@@ -16,7 +16,6 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import FAMILIES, Equation
 from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Fault, Span
-from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import DAMPINGS, OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import is_key, rub_of
@@ -37,16 +36,16 @@ from rotsolve.laws.table import (
     ThroughEvent,
     equations_for,
 )
-from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.configuration import Configuration, groups_of
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.paths.reader import PathReader
 from rotsolve.profile import staged
 
 if TYPE_CHECKING:
+    from rotsolve.core.passage import Encounter, Passage, Travel
     from rotsolve.equations.swing import Swing
 
 WRITTEN_A_STEP = 2  # equations that the laws write
@@ -162,6 +161,8 @@ class SceneEquations(Struct, dict=True):
         result = {}
         for interval in self.configuration.timeline.intervals:
             if interval.event is None:
+                from rotsolve.motion.passages import passage
+
                 pair = [(self.instant(state), self.facts(state)) for state in (interval.start, interval.end)]
                 midst = (self.instant(interval.start, generic=True), self.facts(interval.start, generic=True))
                 result[interval.name] = passage(interval, pair[0], pair[1], midst)
@@ -337,7 +338,8 @@ class SceneEquations(Struct, dict=True):
 
     def leading_to(self, state: str) -> list[Passage]:
         """The phases before a state, back to the last event."""
-        timeline, found = self.configuration.timeline, list[Passage]()
+        timeline = self.configuration.timeline
+        found: list[Passage] = []
         before = timeline.before(state)
         while before is not None and before.event is None:
             found.insert(0, self.passages[before.name])

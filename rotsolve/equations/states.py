@@ -24,9 +24,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
 from rotsolve.motion.timeline import Interval
-from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import NotYet
-from rotsolve.paths.points import displacement_over
 from rotsolve.paths.reader import PathReader
 
 
@@ -415,12 +413,16 @@ class Statements(Struct):
         if path.quantity == "displacement":
             return self._gone(path, instant)
         if path.quantity == "rotation":
+            from rotsolve.motion.travels import angle_turned
+
             phases = [part for part in self.configuration.timeline.since(state) if part.event is None]
             return total([angle_turned(path.owner, part, instant) for part in phases])
         return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _gone(self, path: Path, instant: Instant) -> Formula:
         """The way of a body since the state before, along its line or in one direction."""
+        from rotsolve.paths.displacements import displacement_over
+
         parts = self.configuration.timeline.since(instant.state)
         instants = [(part, self.fixed.instant(part.start), self.fixed.instant(part.end)) for part in parts]
         return total([displacement_over(path, *ends) for ends in instants if ends[0].event is None])

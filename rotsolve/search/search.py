@@ -18,7 +18,6 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, VANISHING, Equation
 from rotsolve.core.letters import letter_order
-from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import COMPONENT, POSITION, RATE, RATES, has_quantities, is_key, key_of, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
@@ -46,6 +45,7 @@ from rotsolve.solver.steps import (
 )
 
 if TYPE_CHECKING:
+    from rotsolve.core.passage import Passage
     from rotsolve.equations.normal_modes import Spectrum
     from rotsolve.questions.functions_of_time import Beside
 

@@ -167,10 +167,12 @@ def test_a_module_of_ours_is_loaded_by_its_bytecode_as_long_as_that_is_as_new_as
 
 def test_only_modules_of_ours_are_looked_for_near_by() -> None:
     folder = [str(Path(rotsolve.__file__).parent)]
-    for name in ("rotsolve", "rotsolve.algebra", "rotsolve.nothing", "yaml.loader"):
+    for name in ("rotsolve", "rotsolve.nothing", "yaml.loader"):
         assert Near.find_spec(name, None if name == "rotsolve" else folder) is None
-    mine, plain = Near.find_spec("rotsolve.plan", folder), PathFinder.find_spec("rotsolve.plan", folder)
-    assert mine is not None and plain is not None
-    assert (mine.origin, mine.cached, mine.has_location) == (plain.origin, plain.cached, plain.has_location)
-    assert isinstance(plain.loader, SourceFileLoader) and isinstance(mine.loader, Near)
-    assert mine.loader.get_code("rotsolve.plan") == plain.loader.get_code("rotsolve.plan")
+    for name in ("rotsolve.plan", "rotsolve.algebra"):
+        mine, plain = Near.find_spec(name, folder), PathFinder.find_spec(name, folder)
+        assert mine is not None and plain is not None
+        assert (mine.origin, mine.cached, mine.has_location) == (plain.origin, plain.cached, plain.has_location)
+        assert mine.submodule_search_locations == plain.submodule_search_locations
+        assert isinstance(plain.loader, SourceFileLoader) and isinstance(mine.loader, Near)
+        assert mine.loader.get_code(name) == plain.loader.get_code(name)
