@@ -26,7 +26,6 @@ from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import has_quantities, is_key, key_of
 from rotsolve.core.ways import PLACE, WayEnd, WayOnJoint
 from rotsolve.motion.timeline import Interval
-from rotsolve.search.endings import Endings, never_reached
 from rotsolve.search.search import Search
 
 if TYPE_CHECKING:
@@ -56,6 +55,8 @@ def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[
     looked = way_looked_at(way, search)
     why = "" if looked is None else looked.objection()
     if why and not (why == CREEPS and is_limit_sought(way, interval, search)):
+        from rotsolve.search.endings import never_reached
+
         yield never_reached(interval, configuration, why.format(way.body), sure=True)
 
 
@@ -119,6 +120,8 @@ def with_rate(way: WayOnJoint, found: dict[str, Formula]) -> WayOnJoint:
 
 def way_looked_at(way: WayOnJoint, search: Search) -> LookedAt | None:
     """A way of which all is known but its place, if it leads elsewhere, or back."""
+    from rotsolve.search.endings import Endings
+
     settled = Endings(search).settled
     known = [settled(value) for value in (way.start, way.end, way.rate, way.gap, way.effort)]
     start, end, rate, gap, effort = known
