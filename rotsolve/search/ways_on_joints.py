@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
+from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 from msgspec import Struct
@@ -143,7 +144,7 @@ def open_(value: Formula | None) -> bool:
     return value is None or has_quantities(value)
 
 
-class LookedAt(Struct, frozen=True):
+class LookedAt(Struct, frozen=True, dict=True):
     """A way that leads `ahead`, looked at by numbers, else in letters."""
 
     way: WayOnJoint
@@ -254,8 +255,9 @@ class LookedAt(Struct, frozen=True):
         if not self.numeric:
             return None if value.holds(Integral) else self.search.numbers.side(simplify(value))
         number = self.search.numbers.of(value)
-        return None if number is None else 0 if abs(number) <= SHARE * self.size() else 1 if number > 0 else -1
+        return None if number is None else 0 if abs(number) <= SHARE * self.size else 1 if number > 0 else -1
 
+    @cached_property
     def size(self) -> float:
         """How large energies are on the way, by numbers."""
         ends = (
