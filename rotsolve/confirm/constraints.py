@@ -14,7 +14,7 @@ from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import BY_INERTIA, TURNING
-from rotsolve.elements.asked import derives_from, home_of, is_curved, is_touch
+from rotsolve.elements.asked import derives_from, home_of_kind, is_curved, is_touch
 from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Mounted, Weld
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
@@ -46,7 +46,7 @@ def rows_of(kind: type[Connection]) -> Rows:
         return found
     from rotsolve.confirm.couplings import COUPLINGS
 
-    return COUPLINGS.get(home_of(kind), refused)
+    return COUPLINGS.get(home_of_kind(kind), refused)
 
 
 def plain_rows(kind: type[Connection]) -> Rows | None:

@@ -14,7 +14,7 @@ from rotsolve.confirm.lines import onward, twist, wound_by
 from rotsolve.confirm.pose import Pair, Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, WORDS, mover, pointing
-from rotsolve.elements.asked import home_of, is_drapes, is_spring, is_wall
+from rotsolve.elements.asked import home_of_kind, is_drapes, is_spring, is_wall
 from rotsolve.elements.connections.supports import Shaft
 from rotsolve.language.bodies import PointRef
 
@@ -33,11 +33,11 @@ SIDES = (None, "tangential", "clockwise", "counterclockwise")  # directions squa
 def forces(model: Known, pose: Pose, without: Collection[str] = ()) -> Pushes:
     """All known forces but the weights, by their owner, and brakes that may hold; `without` those of some elements."""
     for item in (*model.acting.connections, *model.acting.actions):
-        line = FORCES.get(home_of(type(item)))
+        line = FORCES.get(home_of_kind(type(item)))
         if line is not None and item.name not in without:
             yield from line(item, pose, model)
     for action in model.acting.actions:
-        if home_of(type(action)) not in FORCES:
+        if home_of_kind(type(action)) not in FORCES:
             raise NotConfirmed(f"`{action.name}`: the assembly has no forces for `{action.word}`")
 
 

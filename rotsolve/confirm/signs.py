@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import is_round, on_rim
 from rotsolve.confirm.pose import Way, heading, turned
-from rotsolve.elements.asked import is_curved, is_drapes, is_level, is_slope, is_spring, is_string, is_touch, is_wall
+from rotsolve.elements.asked import (
+    is_curved,
+    is_drapes,
+    is_level_surface,
+    is_slope,
+    is_spring,
+    is_string,
+    is_touch,
+    is_wall,
+)
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.shapes import rim_radius, rims
 from rotsolve.language.bodies import PointRef, Surface
@@ -46,7 +55,7 @@ def uphill(surface: Surface, model: Known) -> Way:
 def travel(surface: Surface, moves: str | None, model: Known) -> Way:
     """Positive way along a flat surface: as declared, else right or up; on a slope `up`, `down` and the sides mean along it."""
     ahead = uphill(surface, model)
-    back = {"left"} if is_level(surface) else {"down"}
+    back = {"left"} if is_level_surface(surface) else {"down"}
     if is_slope(surface):
         back = {"down", surface.down}
     return (-ahead[0], -ahead[1]) if moves in back else ahead

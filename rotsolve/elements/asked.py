@@ -27,7 +27,7 @@ def loaded_kind(module: str, name: str) -> tuple[type[Any], ...]:
 
 
 @cache
-def home_of(kind: type[Any]) -> str:
+def home_of_kind(kind: type[Any]) -> str:
     """Where a kind of element is, as `elements/tables` says it: `connections.springs.Spring`."""
     return f"{kind.__module__.removeprefix('rotsolve.elements.')}.{kind.__name__}"
 
@@ -78,7 +78,7 @@ def is_curved(item: Any) -> TypeGuard[Curved]:
     return derives_from(item.__class__, "surfaces", "Curved")
 
 
-def is_level(item: Any) -> TypeGuard[Level]:
+def is_level_surface(item: Any) -> TypeGuard[Level]:
     return derives_from(item.__class__, "surfaces", "Level")
 
 
