@@ -5,7 +5,9 @@ something is asked of it that it can't tell yet, so whatever runs finds what it 
 
 - PyYAML: its parser in C needs the events and a few errors, but not the loaders in Python, whose patterns take 6 ms to compile;
 - msgspec: records need none of its encoders;
-- inspect: flint's modules ask it for the flags of functions alone, and `platform`, which uuid asks for the name of the system.
+- inspect: flint's modules ask it for the flags of functions alone, and `platform`, which uuid asks for the name of the system;
+- datetime: all that msgspec asks of it is in C; up to Python 3.11 it is made in Python too before that takes its place;
+- FLINT: of its 9000 calls from one function to another a scene makes a few dozen, so that each is bound when it is first made (1.1 ms).
 
 Our own modules, two hundred to a scene, are loaded from where they are known to be: looking for them would take a twentieth of a cold run.
 What all runs have loaded is read in one piece (`together`), which saves another tenth.
@@ -113,7 +115,7 @@ class Near(SourceFileLoader):
 
 
 def contents(path: str) -> bytes | mmap:
-    """What is in a file: of a large one in the pages that the system has of it, without touching as many of our own."""
+    """What is in a file; a large one is looked at where the system holds it, for to read it into new memory takes 2 ms for each 4 MB."""
     with open(path, "rb", 0) as file:
         if os.fstat(file.fileno()).st_size < LARGE:
             return file.read()

@@ -9,7 +9,7 @@ from __future__ import annotations
 import gc
 import sys
 
-TYPE_CHECKING = False
+TYPE_CHECKING = False  # as in `rotsolve`
 if TYPE_CHECKING:
     from typing import NoReturn
 
