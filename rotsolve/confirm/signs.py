@@ -73,8 +73,6 @@ def rests(item: Touch, model: Known) -> bool:
 def surface_of(item: Touch, model: Known) -> Surface | None:
     """The surface on which a contact holds a body: of several the curved one where the state speaks of the contact's angle, or that it
     leaves; the back of another body lies as what that lies on; of a rod that leans with its side none."""
-    from rotsolve.elements.surfaces import Level
-
     if item.leaning:
         return None
     under = item.pair()[1]
@@ -86,13 +84,20 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
         for other in model.acting.connections:
             if is_touch(other) and other.lying() == under.owner and other is not item:
                 return surface_of(other, model)
-        return Level(under.owner)
+        return level_surface(under.owner)
     found = [model.surfaces[ref.owner] for ref in item.places() if ref.owner in model.surfaces]
     if len(found) > 1 and any(
         line.path is not None and line.path.owner == item.name for line in model.acting.state.conditions
     ):
         return next((surface for surface in found if is_curved(surface) and surface.radius() is not None), None)
-    return found[0] if found else Level("ground")
+    return found[0] if found else level_surface("ground")
+
+
+def level_surface(name: str) -> Surface:
+    """The level surface of that name."""
+    from rotsolve.elements.surfaces import Level
+
+    return Level(name)
 
 
 def rim_under(item: Touch, model: Known) -> Curved | None:
