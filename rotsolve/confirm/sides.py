@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.pose import Pair, Pose, Way, along
-from rotsolve.confirm.signs import level_surface, surface_of, taken_aside, travel
+from rotsolve.confirm.signs import level_named, surface_of, taken_aside, travel
 from rotsolve.elements.asked import is_curved, is_touch
 from rotsolve.language.bodies import PointRef
 
@@ -55,4 +55,4 @@ def gone_down(item: Touch, pose: Pose, model: Known, *, gone: bool = False) -> J
     own, under = item.lying(), item.pair()[1].owner
     spots = ((own, model.travelling(own)), (under, model.seats[under].rigid.centre))
     (x, y), (u, w) = ((pose.moved if gone else pose.place)(name, spot) for name, spot in spots)
-    return along((x - u, y - w), travel(surface_of(item, model) or level_surface(under), "down", model))
+    return along((x - u, y - w), travel(surface_of(item, model) or level_named(under), "down", model))

@@ -84,16 +84,16 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
         for other in model.acting.connections:
             if is_touch(other) and other.lying() == under.owner and other is not item:
                 return surface_of(other, model)
-        return level_surface(under.owner)
+        return level_named(under.owner)
     found = [model.surfaces[ref.owner] for ref in item.places() if ref.owner in model.surfaces]
     if len(found) > 1 and any(
         line.path is not None and line.path.owner == item.name for line in model.acting.state.conditions
     ):
         return next((surface for surface in found if is_curved(surface) and surface.radius() is not None), None)
-    return found[0] if found else level_surface("ground")
+    return found[0] if found else level_named("ground")
 
 
-def level_surface(name: str) -> Surface:
+def level_named(name: str) -> Surface:
     """The level surface of that name."""
     from rotsolve.elements.surfaces import Level
 
