@@ -121,9 +121,9 @@ class ItemWriter:
             if value is not None:
                 self.add(self.add(outcome, "defaultValue"), "value", value)
         body = self.add(item, "itemBody")
+        self.solution(body, solution)  # 2.1 wants rubrics before all else
         self.markup(body, told)
         self.interaction(body, part)
-        self.solution(body, solution)
         said = self.processing(item, part)
         for name, phrases in said:
             self.wrapped(
@@ -160,11 +160,7 @@ class ItemWriter:
                 maxChoices="1",
             )
             self.words(self.add(choice, "prompt"), part.asked)
-            places = range(len(part.options))
-            order = (
-                sorted(places, key=lambda place: label_in_front(part.options[place].shown)) if part.in_words else places
-            )
-            for place in order:
+            for place in part.order:
                 self.words(self.add(choice, "simpleChoice", identifier=option_name(place)), part.options[place].shown)
             return
         self.words(SubElement(body, self.plain("p")), part.asked)
@@ -278,8 +274,3 @@ def names_of_boxes(part: PlatformPart) -> Sequence[str]:
 def option_name(place: int) -> str:
     """The name of an option, which tells nothing: they stand in any order."""
     return f"OPTION_{place + 1}"
-
-
-def label_in_front(shown: Phrase) -> str:
-    """The label in front of an option, (a)."""
-    return next((word for word in shown if isinstance(word, str)), "")

@@ -9,7 +9,6 @@ from unicodedata import normalize
 import pytest
 
 from platform_rules import QtiItem, plain, read_item, read_moodle, read_package
-from qti_rules import faults
 from rotsolve.grading.verdict import RIGHT, UNDECIDED
 from rotsolve.keys.sheets import key_data
 from rotsolve.page.text import plain_text
@@ -66,7 +65,6 @@ def test_platforms_mark_as_check_does(scene: Path) -> None:
     for part in parts:
         item = read_item(items["qti21.zip"][f"items/p1{part.part.label}.xml"])
         newer = read_item(items["qti30.zip"][f"items/p1{part.part.label}.xml"])
-        assert faults(item.element, "2.1") == [] and faults(newer.element, "3.0") == []
         assert item.right == newer.right and float(item.defaults["MAXSCORE"]) == float(part.part.points)
         if not part.numbers:
             continue
