@@ -1,7 +1,7 @@
 """What a platform does with a file, written anew from what is published of it: the readers and the rules that the tests hold files against.
 
-Nothing of rotsolve is used here. Moodle: question/format.php, format/xml, type/numerical, type/multichoice and type/multianswer of its source.
-QTI: the information models.
+Nothing of rotsolve is used here. Moodle: question/format.php, format/xml, type/numerical, type/multichoice, type/multianswer of
+its source. QTI: the information models.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The grammars of the packages that rotsolve writes, QTI 2.1 and 3.0: XSD files of our own in `schemas`, which libxml2 holds files against.
 
-An element, attribute or value that rotsolve does not write yet is a fault: whoever adds one reads the standard, and widens the grammar. It may
-allow less than the standard, never more.
+An element, attribute or value that rotsolve does not write yet is a fault: whoever adds one reads the standard, and widens the
+grammar. It may allow less than the standard, never more.
 """
 
 from __future__ import annotations
