@@ -94,9 +94,11 @@ class PlatformPart(Struct, frozen=True):
 
     @property
     def order(self) -> tuple[int, ...]:
-        """The places of the options as they stand one below the other: by their labels where they have some; others a platform shuffles."""
+        """The places of the options as they stand one below the other, which tells none: by their labels, others by what they are."""
         places = range(len(self.options))
-        return tuple(sorted(places, key=lambda place: label_in_front(self.options[place])) if self.in_words else places)
+        if self.in_words:
+            return tuple(sorted(places, key=lambda place: label_in_front(self.options[place])))
+        return tuple(sorted(places, key=lambda place: repr(self.options[place].shown)))
 
     @property
     def unit_cost(self) -> Fraction:

@@ -43,6 +43,7 @@ from rotsolve.platforms.moodle import (
     text_in,
 )
 from rotsolve.platforms.moodle_files import MoodleFiles
+from rotsolve.platforms.qti import option_name
 from rotsolve.platforms.qti_files import QtiFiles
 from rotsolve.platforms.typed_units import typed_units
 from rotsolve.platforms.xml_text import plain_decimal, writable
@@ -101,8 +102,10 @@ def test_a_box_of_a_cloze_holds_any_text(shown: str, said: str) -> None:
     first, other = (KnownOption((authored(f"({text}"),), Fraction(0), ((authored(text),),)) for text in (shown, said))
     part = PlatformPart(None, (), None, None, options=(first, other))  # type: ignore[arg-type]
     ((weight, kind, answers),) = read_cloze(choice_box(QuestionFrame(printer, "", ""), part, 3))
-    assert (weight, kind) == (3, "MULTICHOICE_VS") and [one[2] for one in answers] == [1.0, 0.0]
-    for (text, _, _, feedback), option in zip(answers, (first, other), strict=True):
+    assert (weight, kind) == (3, "MULTICHOICE_VS")
+    for (text, _, share, feedback), place in zip(answers, part.order, strict=True):
+        option = part.options[place]
+        assert share == (0.0 if place else 1.0)
         for held, html in ((text, printer.words(option.shown)), (feedback, printer.sentence(*option.said))):
             assert ElementTree.tostring(html_of(held)) == ElementTree.tostring(html_of(html.replace("\n", " ")))
 
@@ -203,6 +206,14 @@ def test_units_that_are_typed(text: str) -> None:
 
 
 # QTI
+
+
+@pytest.mark.parametrize("in_words", [False, True])
+def test_the_name_of_an_option_does_not_tell_the_right_one(in_words: bool) -> None:
+    """The right one is the first of what is known; its name goes by the order, which is that of labels or of what the options are."""
+    options = tuple(KnownOption((text,), Fraction(0)) for text in ("(b) sin", "(c) tan", "(a) cos"))
+    part = PlatformPart(None, (), None, None, options=options, in_words=in_words)  # type: ignore[arg-type]
+    assert [option_name(part, place) for place in range(3)] == ["OPTION_2", "OPTION_3", "OPTION_1"]
 
 
 @pytest.mark.parametrize("variants", [0, 3])
