@@ -93,6 +93,14 @@ class PlatformPart(Struct, frozen=True):
     in_words: bool = False  # whether an option is asked for, and no number or formula
 
     @property
+    def order(self) -> tuple[int, ...]:
+        """The places of the options as they stand one below the other, which tells none: by their labels, others by what they are."""
+        places = range(len(self.options))
+        if self.in_words:
+            return tuple(sorted(places, key=lambda place: label_in_front(self.options[place])))
+        return tuple(sorted(places, key=lambda place: repr(self.options[place].shown)))
+
+    @property
     def unit_cost(self) -> Fraction:
         """The share of the points that a missing unit costs."""
         costs = dict(self.marking.deduct)
@@ -311,6 +319,11 @@ class KnownAnswers:
     def rounded(self, number: str) -> str:
         """A decimal number with the digits of the key."""
         return f"{float(number):#.{self.digits}g}".rstrip(".")
+
+
+def label_in_front(option: KnownOption) -> str:
+    """The label in front of an option, (a)."""
+    return next((word for word in option.shown if isinstance(word, str)), "")
 
 
 def typed_text(numbers: tuple[str, ...], target: Target, scalars: tuple[Scalar, ...]) -> str:

@@ -55,13 +55,21 @@ def check_answers(
 def paper_of(answers: Answers, asked: tuple[str, ...], parts: Mapping[str, str]) -> Paper:
     """What is handed in, whatever form it has."""
     if isinstance(answers, Mapping):
-        return from_yaml(written_yaml(answers), "<dict>", asked, parts)
+        said = {name: str(text) if is_expression(text) else text for name, text in answers.items() if text is not None}
+        return from_yaml(written_yaml(said), "<dict>", asked, parts)
     if isinstance(answers, os.PathLike):
         file = os.fspath(answers)
         return read_sheet(content_of(file), file, asked, parts)
+    if not isinstance(answers, str):
+        raise TypeError(f"answers are a dict, a text or a path, not {answers!r}")
     if "\n" not in answers.strip():
         return from_answers((answers.strip(),), asked, parts, "<text>")
     return read_sheet(answers, "<text>", asked, parts)
+
+
+def is_expression(value: object) -> bool:
+    """Whether a value is an expression of SymPy, whose text is that of a formula."""
+    return type(value).__module__.partition(".")[0] == "sympy"
 
 
 class VerdictView(Struct, frozen=True):
