@@ -20,6 +20,16 @@ BACKWARDS = 6
 PATIENCE = 2_000_000  # work for plans of a scene that are made only to avoid equations of constant acceleration: pairs of equations
 
 
+def alike_to_plans(one: Equation, other: Equation, known: Collection[str]) -> bool:
+    """Whether all is the same of two equations of which a plan is made, so that it can't tell them apart where some letters are known."""
+    if replace(one, left=other.left, right=other.right, common=other.common) != other:
+        return False
+    sides = ((one.left, other.left), (one.right, other.right))
+    if any(mine.symbols() - known != yours.symbols() - known for mine, yours in sides) or one.summed() != other.summed():
+        return False
+    return all(type(mine) is type(yours) and mine.holds(Sum) == yours.holds(Sum) for mine, yours in sides)
+
+
 class Shortage(Struct, frozen=True):
     """Why there is no plan: the equations that bear on the asked unknown, and the unknowns that they leave open."""
 

@@ -70,6 +70,7 @@ class Ground:
         problem = configuration.problem
         self.scene = scene
         self.chose = False  # whether some equation had several roots
+        self.tried: set[int] = set()  # the places of the equations that some search has looked into
         self.working_out: set[str] = set()  # the letters that are being told aside
         self.passed_over: dict[str, list[Formula]] = {}  # roots for letters with which the scene does not come about
         self.picked: dict[str, Formula] = {}  # those that are meant, where others are known
@@ -148,6 +149,7 @@ class Search(Struct, dict=True):
             signs=self.signs,
             choose=self.choose_root,
             refs=self.refs,
+            tried=ground.tried,
             running=self.running,
             lone=len(self.scene.configuration.problem.finds) == 1,
         )

@@ -13,25 +13,25 @@ from types import MappingProxyType
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.ball import Certified, evaluate, pass_on
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number
 from rotsolve.core.derivation import Answer
 from rotsolve.core.equation import ABOUT_CONTACT, Equation
 from rotsolve.core.facts import BodyFacts, Facts
-from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.passage import Alteration
+from rotsolve.core.remembered import remembered
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.mistakes.mistake import Change, Mistake
-from rotsolve.language.problem import Find, Problem
+from rotsolve.grading.mistakes.ways import NO_ANSWER, Way, ask_all
+from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
 from rotsolve.search.acting import acting_forward
-from rotsolve.search.answering import answer
 from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
 from rotsolve.search.letterspace import Point, at_point, numbers_of
@@ -39,8 +39,6 @@ from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solving import scene_equations_of
 
-ROUNDS = 2  # times that a question is asked
-NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
 NEARLY = 1e-9  # relative: numbers closer than this are not told apart
 DIGITS = 10  # to which a difference of two forms is worked out
 
@@ -70,20 +68,19 @@ class Scene(Struct, frozen=True, dict=True):
         return modes_of(self.configuration)
 
     @cached_property
-    def _as_counted(self) -> tuple[Search, Mapping[str, Answer]]:
-        """The right answers with each friction drawn against the way in which its body is counted, and how they were found."""
-        search = Search(equations_by(self.configuration, self.modes), families_for(None))
-        return search, answers_of(search)
+    def _as_counted(self) -> Way:
+        """How the right answers are found with each friction drawn against the way in which its body is counted."""
+        return Way.by(equations_by(self.configuration, self.modes), families_for(None))
 
     @cached_property
     def forward(self) -> frozenset[str]:
         """The frictions that are drawn the other way, since they are known to act so: as they are where the scene is solved."""
-        return frozenset() if self.problem.space else acting_forward(self._as_counted[0])
+        return frozenset() if self.problem.space else acting_forward(self._as_counted.search)
 
     @cached_property
     def equations(self) -> SceneEquations:
         if not self.forward:
-            return self._as_counted[0].scene
+            return self._as_counted.search.scene
         return equations_by(replace(self.configuration, forward=self.forward), self.modes)
 
     @cached_property
@@ -110,7 +107,7 @@ class Scene(Struct, frozen=True, dict=True):
     @cached_property
     def answers(self) -> Mapping[str, Answer]:
         """The right answers by name."""
-        return answers_of(Search(self.equations, families_for(None))) if self.forward else self._as_counted[1]
+        return answers_of(self.way(families_for(None)).search)
 
     def with_mistake(self, mistake: Mistake) -> Mapping[str, Answer] | None:
         """The answers that the mistake changes; None where it changes none, or the scene has no answer then."""
@@ -138,6 +135,12 @@ class Scene(Struct, frozen=True, dict=True):
         pairs = ((name, differing.left_of(one, right[name])) for name, one in given.items() if name in right)
         return {name: wrong for name, wrong in pairs if wrong is not None} or None
 
+    @remembered
+    def way(self, families: tuple[str, ...]) -> Way:
+        """How the right answers are found by some laws."""
+        as_counted = families == families_for(None) and not self.forward
+        return self._as_counted if as_counted else Way.by(self.equations, families)
+
     def _reread(self, change: Change, values: Mapping[str, Formula]) -> dict[str, Answer]:
         """The right answers with other letters and numbers in them."""
         wrong = {name: values[name] * factor for name, factor in change.factors.items() if name in values}
@@ -151,11 +154,16 @@ class Scene(Struct, frozen=True, dict=True):
         altered = change.altered if change.altered is None or change.about_contact else about_centres(change.altered)
         configuration = Configuration(problem, altered, self.forward)
         families = tuple(family for family in families_for(None) if family not in change.aside)
-        if change.problem is None and altered is not None and altered.facts is None and not problem.space:
+        if change.problem is None and altered is not None and not problem.space:
             equations = self.equations.rewritten_by(configuration)
         else:
             equations = equations_by(configuration, self.modes if change.problem is None else modes_of(configuration))
+        way = self.way(families) if change.problem is None else None
+        if way is not None and way.passes_by(equations):
+            pass_on(way.witness)
+            return {}
         search = Search(equations, families, confirming=True)
+        ask_all(search)
         answers = answers_of(search)
         return {} if change.throughout and disagreement(search) is not None else answers
 
@@ -182,19 +190,7 @@ def equations_by(configuration: Configuration, modes: Mapping[str, str]) -> Scen
 
 
 def answers_of(search: Search) -> dict[str, Answer]:
-    """The answers to those questions that have one, by name; the others may need what is left out, or one that comes later."""
-    pending = list(search.scene.configuration.problem.finds)
-    for _ in range(ROUNDS):
-        waiting: list[Find] = []
-        later = False  # whether something was answered after a question that was not
-        for find in pending:
-            try:
-                answer(search, find)
-            except NO_ANSWER:
-                waiting.append(find)
-            else:
-                later = later or bool(waiting)
-        pending = waiting if later else []
+    """What a search has answered, by name."""
     return {one.name: one for one in DerivationComposer(search).results.answers()}
 
 
