@@ -32,7 +32,7 @@ from rotsolve.core.symbols import TIME
 from rotsolve.grading.marking.explaining import Explaining
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target
-from rotsolve.grading.mistakes.table import Wrong
+from rotsolve.grading.mistakes.wrong_answers import Wrong
 from rotsolve.grading.verdict import Paper
 from rotsolve.process import GARBAGE
 

@@ -18,7 +18,8 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.derivation import Answer
 from rotsolve.grading.mistakes.mistake import Mistake
 from rotsolve.grading.mistakes.scene import Scene
-from rotsolve.grading.mistakes.table import MISTAKES, WrongAnswers
+from rotsolve.grading.mistakes.table import MISTAKES
+from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
 from rotsolve.motion.positive import positive_letters
 from rotsolve.scene.read import read_file, read_source
 

@@ -22,17 +22,15 @@ from rotsolve.core.equation import ABOUT_CONTACT, Equation
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.passage import Alteration
 from rotsolve.core.remembered import remembered
-from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.mistakes.mistake import Change, Mistake
-from rotsolve.grading.mistakes.ways import NO_ANSWER, Way, ask_all
+from rotsolve.grading.mistakes.ways import NO_ANSWER, Attempt, Way, answers_of
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
 from rotsolve.search.acting import acting_forward
-from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
 from rotsolve.search.letterspace import Point, at_point, numbers_of
 from rotsolve.search.planning import families_for
@@ -111,21 +109,32 @@ class Scene(Struct, frozen=True, dict=True):
 
     def with_mistake(self, mistake: Mistake) -> Mapping[str, Answer] | None:
         """The answers that the mistake changes; None where it changes none, or the scene has no answer then."""
+        return self.changed_by(self.attempt(mistake.change))
+
+    def changed_by(self, attempt: Attempt | Rereading) -> Mapping[str, Answer] | None:
+        """The answers of the scene with something changed in it, as far as they are not right; None where all are, or there are none."""
         try:
-            given = self._answers(mistake.change)
+            given = attempt.answers()
         except NO_ANSWER:
             return None
         return self._wrong(given, self.answers, self.problem.values)
+
+    def told(self, attempt: Attempt | Rereading, name: str) -> Answer | None:
+        """An answer of the scene with something changed in it, right or not, before all its laws are held together."""
+        try:
+            return attempt.answer(name) if name in self.answers else None
+        except NO_ANSWER:
+            return None
 
     def with_values(
         self, mistake: Mistake, answers: Mapping[str, Answer], values: Mapping[str, Formula]
     ) -> Mapping[str, Answer] | None:
         """The answers that a mistake changes, from those for the numbers of the scene, for other numbers; nothing is solved again."""
         if mistake.change.reread:
-            given = self._reread(mistake.change, values)
+            given = self._reread(mistake.change, values).answers()
         else:
             given = {name: reread(one, {}, values) for name, one in answers.items()}
-        return self._wrong(given, self._reread(Change(), values), values)
+        return self._wrong(given, self._reread(Change(), values).answers(), values)
 
     def _wrong(
         self, given: Mapping[str, Answer], right: Mapping[str, Answer], values: Mapping[str, Formula]
@@ -141,15 +150,20 @@ class Scene(Struct, frozen=True, dict=True):
         as_counted = families == families_for(None) and not self.forward
         return self._as_counted if as_counted else Way.by(self.equations, families)
 
-    def _reread(self, change: Change, values: Mapping[str, Formula]) -> dict[str, Answer]:
+    def _reread(self, change: Change, values: Mapping[str, Formula]) -> Rereading:
         """The right answers with other letters and numbers in them."""
         wrong = {name: values[name] * factor for name, factor in change.factors.items() if name in values}
-        return {name: reread(one, change.letters, {**values, **wrong}) for name, one in self.answers.items()}
+        return Rereading(self.answers, change.letters, {**values, **wrong})
 
-    def _answers(self, change: Change) -> Mapping[str, Answer]:
-        """The answers of the scene with a change in it, right ones among them."""
-        if change.reread:
-            return self._reread(change, self.problem.values)
+    def attempt(self, change: Change) -> Attempt | Rereading:
+        """What answers the scene with a change in it; right answers are among its own."""
+        try:
+            return self._reread(change, self.problem.values) if change.reread else self._solving(change)
+        except NO_ANSWER:
+            return Rereading({})
+
+    def _solving(self, change: Change) -> Attempt | Rereading:
+        """What solves the scene with a change in it; nothing where that changes no answer."""
         problem = self.problem if change.problem is None else change.problem(self.problem)
         altered = change.altered if change.altered is None or change.about_contact else about_centres(change.altered)
         configuration = Configuration(problem, altered, self.forward)
@@ -161,11 +175,8 @@ class Scene(Struct, frozen=True, dict=True):
         way = self.way(families) if change.problem is None else None
         if way is not None and way.passes_by(equations):
             pass_on(way.witness)
-            return {}
-        search = Search(equations, families, confirming=True)
-        ask_all(search)
-        answers = answers_of(search)
-        return {} if change.throughout and disagreement(search) is not None else answers
+            return Rereading({})
+        return Attempt(Search(equations, families, confirming=True), throughout=change.throughout)
 
 
 def about_centres(altered: Alteration) -> Alteration:
@@ -189,12 +200,21 @@ def equations_by(configuration: Configuration, modes: Mapping[str, str]) -> Scen
     return scene_equations_of(configuration) if configuration.problem.space else SceneEquations(configuration, modes)
 
 
-def answers_of(search: Search) -> dict[str, Answer]:
-    """What a search has answered, by name."""
-    return {one.name: one for one in DerivationComposer(search).results.answers()}
-
-
 # answers
+
+
+class Rereading(Struct, frozen=True):
+    """Answers with something else written for letters, and with other numbers."""
+
+    right: Mapping[str, Answer]
+    letters: Mapping[str, Formula] = MappingProxyType({})
+    values: Mapping[str, Formula] = MappingProxyType({})
+
+    def answer(self, name: str) -> Answer | None:
+        return reread(self.right[name], self.letters, self.values) if name in self.right else None
+
+    def answers(self) -> Mapping[str, Answer]:
+        return {name: reread(one, self.letters, self.values) for name, one in self.right.items()}
 
 
 def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:

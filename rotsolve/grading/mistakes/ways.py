@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Witness, witnessed
+from rotsolve.core.derivation import Answer
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
 from rotsolve.plan import alike_to_plans
 from rotsolve.questions.find import question_for
 from rotsolve.search.answering import answer
 from rotsolve.search.answers import Answered
+from rotsolve.search.consistency import disagreement
 from rotsolve.search.search import Search
 
-ROUNDS = 2  # times that a question is asked
 NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
 
 
@@ -30,7 +34,7 @@ class Way(Struct, frozen=True):
         """How the scene is answered by some families of laws, as far as these tell its answers."""
         with witnessed() as witness:
             search = Search(scene, families)
-            ask_all(search)
+            Attempt(search).ask_all()
         return cls(search, witness)
 
     def passes_by(self, altered: SceneEquations) -> bool:
@@ -59,17 +63,50 @@ class Way(Struct, frozen=True):
         return replace(item.asked, whole=again.whole, swings=()) == replace(again, swings=())
 
 
-def ask_all(search: Search) -> None:
-    """Ask all questions of a scene as far as they have answers; a later one may be what an earlier one waits for."""
-    pending = list(search.scene.configuration.problem.finds)
-    for _ in range(ROUNDS):
-        waiting: list[Find] = []
-        later = False  # whether something was answered after a question that was not
-        for find in pending:
-            try:
-                answer(search, find)
-            except NO_ANSWER:
-                waiting.append(find)
-            else:
-                later = later or bool(waiting)
-        pending = waiting if later else []
+class Attempt:
+    """A scene with something altered, answered question by question as far as it is asked.
+
+    `throughout`: all laws speak of what is altered alike, so that they must agree with each other.
+    """
+
+    def __init__(self, search: Search, *, throughout: bool = False) -> None:
+        self.search, self.throughout = search, throughout
+        self._ahead = list(search.scene.configuration.problem.finds)
+        self._waiting: list[Find] = []  # those without an answer yet
+        self._later = False  # whether something was answered after a question that was not
+
+    def answer(self, name: str) -> Answer | None:
+        """The answer of a name, whatever all laws say together; the questions before it are answered first."""
+        while any(find.group == name for find in self._ahead):
+            self._ask(self._ahead.pop(0))
+        if any(find.group == name for find in self._waiting):
+            self.ask_all()
+        return answers_of(self.search).get(name)
+
+    def answers(self) -> Mapping[str, Answer]:
+        """All answers by name; none where laws that must agree do not."""
+        self.ask_all()
+        return {} if self.throughout and disagreement(self.search) is not None else answers_of(self.search)
+
+    def ask_all(self) -> None:
+        """Ask all questions that are left, as far as they have answers; a later one may be what an earlier one waits for."""
+        while self._ahead:
+            self._ask(self._ahead.pop(0))
+        if self._later:
+            waiting, self._waiting, self._later = self._waiting, [], False
+            for find in waiting:
+                self._ask(find)
+            self._later = False  # there is no third time
+
+    def _ask(self, find: Find) -> None:
+        try:
+            answer(self.search, find)
+        except NO_ANSWER:
+            self._waiting.append(find)
+        else:
+            self._later = self._later or bool(self._waiting)
+
+
+def answers_of(search: Search) -> dict[str, Answer]:
+    """What a search has answered, by name."""
+    return {one.name: one for one in DerivationComposer(search).results.answers()}
