@@ -136,13 +136,13 @@ class SceneEquations(Struct, dict=True):
     def rewritten_by(self, configuration: Configuration) -> SceneEquations:
         """The same scene with facts, laws or equations altered as a configuration says: it shares all that these leave as it is.
 
-        Where what a state fixes is told by facts, and these are altered, nothing is shared.
+        Where what a state fixes is told by facts, or the place about which something swings, and these are altered, nothing is shared.
         """
         altered = configuration.alteration
         assert altered is not None
         if altered.facts is None:
             moments = self._moments
-        elif self.told_by_facts:
+        elif self.told_by_facts or self.swings:
             return SceneEquations(configuration, self.modes)
         else:
             moments = {}

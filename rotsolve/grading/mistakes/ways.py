@@ -8,6 +8,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Witness, witnessed
+from rotsolve.algebra.effort import Exhausted
 from rotsolve.core.derivation import Answer
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.derivation.compose import DerivationComposer
@@ -40,8 +41,9 @@ class Way(Struct, frozen=True):
     def passes_by(self, altered: SceneEquations) -> bool:
         """Whether the same scene with something altered is answered in just the same way: it puts the same questions, plans can't tell
         its equations from the right ones, and no plan that was carried out takes one that differs."""
-        ground, configuration = self.search.ground, self.search.scene.configuration
-        if ground is None or len(configuration.problem.sought) > 1 or configuration.mentions.runs:
+        ground, scene = self.search.ground, self.search.scene
+        mentions, problem = scene.configuration.mentions, scene.configuration.problem
+        if ground is None or problem.sought or mentions.runs or scene.swings:  # which look at laws beside their plans
             return False
         right, wrong = ground.equations, altered.with_asked(self.search.families)
         if len(right) != len(wrong):
@@ -101,6 +103,11 @@ class Attempt:
     def _ask(self, find: Find) -> None:
         try:
             answer(self.search, find)
+        except Exhausted:  # no more is asked; what was answered before stands
+            self._ahead, self._waiting = [], []
+            for item in [item for item in self.search.wholes() if item.find.group == find.group]:
+                self.search.take_back(item)
+            raise
         except NO_ANSWER:
             self._waiting.append(find)
         else:

@@ -22,6 +22,8 @@ from rotsolve.language.problem import Problem
 from rotsolve.search.letterspace import Point
 
 STEPS = 20_000  # of the work for all mistakes of a scene, in equal parts; most scenes take a few hundred, a step about a millisecond
+MOST_STEPS = 500  # for one mistake; those of the bundled scenes that come to an end take 320 at most
+ROUNDS = 2  # times that a piece of work is begun
 MOST_TRIED = 200  # mistakes of a scene
 Wrong = tuple[Mistake, Mapping[str, Answer]]  # a mistake with the answers that it changes
 Done = TypeVar("Done")
@@ -55,11 +57,19 @@ class Tried:
         return self.scene.attempt(self.mistake.change)
 
     def _within(self, work: Callable[[], Done]) -> Done | None:
-        """What comes of a piece of work; None where it takes more than is left. What it asks of numbers is noted."""
-        with witnessed() as witness:
-            pass_on(self._noted)
-            self._noted = witness
-            return allowed(self._allowance, work)
+        """What comes of a piece of work; None where it takes too much. What it asks of numbers is noted.
+
+        What has run out of work is done once more: an attempt goes no further then, and tells what was answered before.
+        """
+        for _ in range(ROUNDS):
+            with witnessed() as witness:
+                pass_on(self._noted)
+                self._noted = witness
+                done = allowed(self._allowance, work)
+            if self._allowance.steps >= 0:
+                return done
+            self._allowance = Allowance(self.steps)
+        return None
 
     def holds_for(self, signs: VariantSigns) -> bool:
         """Whether other numbers lead the same way: all have the same signs, and no more than these decided."""
@@ -183,7 +193,8 @@ def tried_mistakes(scene: Scene) -> Iterator[Tried]:
     if settled:
         made = ((place, mistake) for kind in MISTAKES for place, mistake in enumerate(kind.mistakes(scene)))
         tried = list(islice(made, MOST_TRIED))
-        yield from (Tried(mistake, place, scene, STEPS // len(tried), right) for place, mistake in tried)
+        steps = min(MOST_STEPS, STEPS // max(len(tried), 1))
+        yield from (Tried(mistake, place, scene, steps, right) for place, mistake in tried)
 
 
 def allowed(allowance: Allowance, work: Callable[[], Done]) -> Done | None:
@@ -192,5 +203,5 @@ def allowed(allowance: Allowance, work: Callable[[], Done]) -> Done | None:
         with allowance.used():
             return work()
     except Exhausted:
-        allowance.steps = -1  # whatever is asked next takes more than that
+        allowance.steps = -1
         return None
