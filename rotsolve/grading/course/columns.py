@@ -56,6 +56,10 @@ class Columns(Struct, frozen=True):
     units: dict[Asked, str] = {}  # of the answers whose column tells one; numbers without a unit are in it
     breadth: int = 0  # cells of the first line, with empty ones at its end
 
+    def held(self, sheet: SheetTask) -> set[Asked]:
+        """The answers that there are columns of, or of a component of them."""
+        return {(place, sheet.tasks[place].parts.get(name, name)) for place, name in self.answers}
+
 
 def read_columns(header: Sequence[str], line: int, file: str, sheet: SheetTask) -> Columns:
     """The columns by the lines of the first row: separated by what makes the most of its cells known."""
@@ -76,7 +80,11 @@ def read_columns(header: Sequence[str], line: int, file: str, sheet: SheetTask) 
 
 def columns_by(header: Sequence[str], separator: str, sheet: SheetTask) -> Columns:
     """The columns, if that is the separator."""
-    row = first_row_cells(header, separator)
+    return columns_called(first_row_cells(header, separator), separator, sheet)
+
+
+def columns_called(row: Sequence[str], separator: str, sheet: SheetTask) -> Columns:
+    """The columns with these names."""
     cells = trimmed_cells(row)
     answers: dict[Asked, int] = {}
     workings: dict[int, int] = {}
