@@ -26,7 +26,10 @@ def alike_to_plans(one: Equation, other: Equation, known: AbstractSet[str]) -> b
     if replace(one, left=other.left, right=other.right, common=other.common) != other:
         return False
     sides = ((one.left, other.left), (one.right, other.right))
-    if any(mine.symbols() - known != yours.symbols() - known for mine, yours in sides) or one.summed() != other.summed():
+    if (
+        any(mine.symbols() - known != yours.symbols() - known for mine, yours in sides)
+        or one.summed() != other.summed()
+    ):
         return False
     return all(type(mine) is type(yours) and mine.holds(Sum) == yours.holds(Sum) for mine, yours in sides)
 

@@ -174,7 +174,10 @@ class SceneEquations(Struct, dict=True):
             if self._like is None:
                 self._facts[key] = free_bodies(self.instant(state, generic=generic, virtual=virtual))
             else:
-                stated, altered = self._like.facts(state, generic=generic, virtual=virtual), self.configuration.alteration
+                stated, altered = (
+                    self._like.facts(state, generic=generic, virtual=virtual),
+                    self.configuration.alteration,
+                )
                 self._facts[key] = stated if altered is None else altered.restated(stated)
         return self._facts[key]
 

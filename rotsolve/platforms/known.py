@@ -42,7 +42,9 @@ MOST_OPTIONS = 5  # of a multiple choice
 MOST_KNOWN = 24  # wrong answers of a question: a teacher should be able to read them
 WRITTEN = Fraction(1, 1_000_000)  # the share within which a number is the one that was written
 BEYOND = Fraction(101, 100)  # margins within which a number lies on the edge
-INSIDE = tuple(Fraction(part, 10) for part in (5, -5, 7, -7))  # of the way from what the answer may be off to what rounding makes it
+INSIDE = tuple(
+    Fraction(part, 10) for part in (5, -5, 7, -7)
+)  # of the way from what the answer may be off to what rounding makes it
 BY_SIDE = ", "
 
 

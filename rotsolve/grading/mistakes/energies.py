@@ -54,7 +54,7 @@ def halves(scene: Scene) -> Made:
 
 
 def speaks_of_energy(equation: Equation) -> bool:
-    """Whether an equation is a law of energy, or says what a kinetic energy is that is asked for; of a power no half is that of an energy."""
+    """Whether an equation is a law of energy, whose halves are its own, not of a power, or says what a kinetic energy is."""
     return (equation.family == ENERGY and equation.law != POWER) or equation.law.kinetic
 
 
