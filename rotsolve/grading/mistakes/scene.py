@@ -147,8 +147,10 @@ class Scene(Struct, frozen=True, dict=True):
     @remembered
     def way(self, families: tuple[str, ...]) -> Way:
         """How the right answers are found by some laws."""
-        as_counted = families == families_for(None) and not self.forward
-        return self._as_counted if as_counted else Way.by(self.equations, families)
+        every = families == families_for(None)
+        if every and not self.forward:
+            return self._as_counted
+        return Way.by(self.equations, families, confirming=not every)
 
     def _reread(self, change: Change, values: Mapping[str, Formula]) -> Rereading:
         """The right answers with other letters and numbers in them."""

@@ -31,10 +31,10 @@ class Way(Struct, frozen=True):
     witness: Witness
 
     @classmethod
-    def by(cls, scene: SceneEquations, families: tuple[str, ...]) -> Way:
-        """How the scene is answered by some families of laws, as far as these tell its answers."""
+    def by(cls, scene: SceneEquations, families: tuple[str, ...], *, confirming: bool = False) -> Way:
+        """How the scene is answered by some families of laws, as far as these tell its answers; `confirming` as mistakes are tried."""
         with witnessed() as witness:
-            search = Search(scene, families)
+            search = Search(scene, families, confirming=confirming)
             Attempt(search).ask_all()
         return cls(search, witness)
 
