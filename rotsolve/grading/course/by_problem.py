@@ -9,8 +9,7 @@ import re
 from collections.abc import Sequence
 
 from rotsolve.core.faults import Fault, Span
-from rotsolve.grading.course.questions import SheetTask
-from rotsolve.grading.course.sheet import (
+from rotsolve.grading.course.handed_in import (
     MARGIN,
     MARK,
     OWN,
@@ -26,6 +25,7 @@ from rotsolve.grading.course.sheet import (
     no_answer_fault,
     read_sheet,
 )
+from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree import Map, Node, Text, compose

@@ -12,10 +12,10 @@ from msgspec.structs import replace
 from rotsolve.grading.course.by_problem import papers_of_answers, read_map_of_student, read_papers_of_student
 from rotsolve.grading.course.command import SEED
 from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.handed_in import content_of
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.student import StudentPage
-from rotsolve.grading.course.sheet import content_of
 from rotsolve.grading.course.students import Student
 from rotsolve.grading.verdict import RIGHT, JudgedLine, JudgedPart, Paper
 from rotsolve.language.words import hint

@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
-from rotsolve.grading.course.sheet import meant_answer
+from rotsolve.grading.course.handed_in import meant_answer
 from rotsolve.page.text import plain_text
 
 Asked = tuple[int, str]  # an answer of a sheet: the place of its problem, and its name under `find`
