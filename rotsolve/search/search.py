@@ -66,12 +66,10 @@ class Ground:
     """What all searches of a scene share: its equations as the planner sees them, its givens and their signs, the letters that run."""
 
     def __init__(self, scene: SceneEquations, families: Collection[str]) -> None:
-        configuration = scene.configuration
-        problem = configuration.problem
+        configuration, problem = scene.configuration, scene.configuration.problem
         self.scene = scene
         self.chose = False  # whether some equation had several roots
-        self.tried: set[int] = set()  # the places of the equations that some search has looked into
-        self.working_out: set[str] = set()  # the letters that are being told aside
+        self.tried, self.working_out = set[int](), set[str]()  # equations looked into, letters being told aside
         self.passed_over: dict[str, list[Formula]] = {}  # roots for letters with which the scene does not come about
         self.picked: dict[str, Formula] = {}  # those that are meant, where others are known
         self.givens = {given.name: given for given in problem.givens}

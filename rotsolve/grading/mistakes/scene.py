@@ -24,8 +24,8 @@ from rotsolve.core.passage import Alteration
 from rotsolve.core.remembered import remembered
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.comparing.numbers import certified_number
+from rotsolve.grading.mistakes.attempt import NO_ANSWER, Attempt, Route, answers_of
 from rotsolve.grading.mistakes.mistake import Change, Mistake
-from rotsolve.grading.mistakes.ways import NO_ANSWER, Attempt, Way, answers_of
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
@@ -66,9 +66,9 @@ class Scene(Struct, frozen=True, dict=True):
         return modes_of(self.configuration)
 
     @cached_property
-    def _as_counted(self) -> Way:
+    def _as_counted(self) -> Route:
         """How the right answers are found with each friction drawn against the way in which its body is counted."""
-        return Way.by(equations_by(self.configuration, self.modes), families_for(None))
+        return Route.by(equations_by(self.configuration, self.modes), families_for(None))
 
     @cached_property
     def forward(self) -> frozenset[str]:
@@ -105,7 +105,7 @@ class Scene(Struct, frozen=True, dict=True):
     @cached_property
     def answers(self) -> Mapping[str, Answer]:
         """The right answers by name."""
-        return answers_of(self.way(families_for(None)).search)
+        return answers_of(self.route(families_for(None)).search)
 
     def with_mistake(self, mistake: Mistake) -> Mapping[str, Answer] | None:
         """The answers that the mistake changes; None where it changes none, or the scene has no answer then."""
@@ -145,12 +145,12 @@ class Scene(Struct, frozen=True, dict=True):
         return {name: wrong for name, wrong in pairs if wrong is not None} or None
 
     @remembered
-    def way(self, families: tuple[str, ...]) -> Way:
+    def route(self, families: tuple[str, ...]) -> Route:
         """How the right answers are found by some laws."""
         every = families == families_for(None)
         if every and not self.forward:
             return self._as_counted
-        return Way.by(self.equations, families, confirming=not every)
+        return Route.by(self.equations, families, confirming=not every)
 
     def _reread(self, change: Change, values: Mapping[str, Formula]) -> Rereading:
         """The right answers with other letters and numbers in them."""
@@ -174,9 +174,9 @@ class Scene(Struct, frozen=True, dict=True):
             equations = self.equations.rewritten_by(configuration)
         else:
             equations = equations_by(configuration, self.modes if change.problem is None else modes_of(configuration))
-        way = self.way(families) if change.problem is None else None
-        if way is not None and way.passes_by(equations):
-            pass_on(way.witness)
+        route = self.route(families) if change.problem is None else None
+        if route is not None and route.passes_by(equations):
+            pass_on(route.witness)
             return Rereading({})
         return Attempt(Search(equations, families, confirming=True), throughout=change.throughout)
 

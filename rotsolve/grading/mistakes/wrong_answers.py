@@ -14,10 +14,10 @@ from rotsolve.algebra.effort import Allowance, Exhausted
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
 from rotsolve.core.symbols import TIME
+from rotsolve.grading.mistakes.attempt import Attempt
 from rotsolve.grading.mistakes.mistake import Mistake
 from rotsolve.grading.mistakes.scene import Rereading, Scene, same_answers
 from rotsolve.grading.mistakes.table import MISTAKES
-from rotsolve.grading.mistakes.ways import Attempt
 from rotsolve.language.problem import Problem
 from rotsolve.search.letterspace import Point
 

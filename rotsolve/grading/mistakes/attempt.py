@@ -1,4 +1,5 @@
-"""Ways: how a scene is answered by some laws, and which mistakes are on none of them: what no answer takes can be as wrong as it likes."""
+"""Attempt: a scene answered question by question, with a mistake in it or without; the route by which the right one is answered tells which
+mistakes change nothing: what no answer takes can be as wrong as it likes."""
 
 from __future__ import annotations
 
@@ -24,14 +25,14 @@ from rotsolve.search.search import Search
 NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
 
 
-class Way(Struct, frozen=True):
+class Route(Struct, frozen=True):
     """The right scene answered by some laws, and what was asked of numbers on the way."""
 
     search: Search
     witness: Witness
 
     @classmethod
-    def by(cls, scene: SceneEquations, families: tuple[str, ...], *, confirming: bool = False) -> Way:
+    def by(cls, scene: SceneEquations, families: tuple[str, ...], *, confirming: bool = False) -> Route:
         """How the scene is answered by some families of laws, as far as these tell its answers; `confirming` as mistakes are tried."""
         with witnessed() as witness:
             search = Search(scene, families, confirming=confirming)
