@@ -325,6 +325,13 @@ def test_a_mistake_that_never_ends_keeps_what_it_has() -> None:
     assert list(found["the half was left out in the kinetic energy"]) == ["phi"]
 
 
+def test_the_half_of_a_height_is_no_half_of_an_energy() -> None:
+    """In the derivative of the energy ½ (a + b) is where the arm's weight acts: no acceleration comes of the half left out."""
+    problem = next(file for file in PROBLEMS if file.stem == "planet-wheel-falls-round-a-fixed-wheel")
+    found = [answers for mistake, answers in WrongAnswers.of(read_file(problem)) if mistake.name == "half left out"]
+    assert [set(answers) for answers in found] == [{"omega1", "omega2"}] * 3
+
+
 def test_a_root_within_an_angle_is_no_part_of_a_turn() -> None:
     """The mistakes of this scene were an error."""
     problem = next(file for file in PROBLEMS if file.stem == "tennis-racket-in-the-hand")

@@ -15,6 +15,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate, pass_on
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number
 from rotsolve.core.derivation import Answer
@@ -37,6 +38,7 @@ from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solving import scene_equations_of
 
+ROUTE_STEPS = 1000  # of work for the right answers by some laws
 NEARLY = 1e-9  # relative: numbers closer than this are not told apart
 DIGITS = 10  # to which a difference of two forms is worked out
 
@@ -105,7 +107,7 @@ class Scene(Struct, frozen=True, dict=True):
     @cached_property
     def answers(self) -> Mapping[str, Answer]:
         """The right answers by name."""
-        return answers_of(self.route(families_for(None)).search)
+        return answers_of(self._right.search)
 
     def with_mistake(self, mistake: Mistake) -> Mapping[str, Answer] | None:
         """The answers that the mistake changes; None where it changes none, or the scene has no answer then."""
@@ -144,13 +146,21 @@ class Scene(Struct, frozen=True, dict=True):
         pairs = ((name, differing.left_of(one, right[name])) for name, one in given.items() if name in right)
         return {name: wrong for name, wrong in pairs if wrong is not None} or None
 
+    @cached_property
+    def _right(self) -> Route:
+        """How the right answers are found."""
+        return Route.by(self.equations, families_for(None)) if self.forward else self._as_counted
+
     @remembered
-    def route(self, families: tuple[str, ...]) -> Route:
-        """How the right answers are found by some laws."""
-        every = families == families_for(None)
-        if every and not self.forward:
-            return self._as_counted
-        return Route.by(self.equations, families, confirming=not every)
+    def route(self, families: tuple[str, ...]) -> Route | None:
+        """How they are found by some laws; None where that takes too long. No mistake pays for it, since several go by it."""
+        if families == families_for(None):
+            return self._right
+        try:
+            with at_most(ROUTE_STEPS):
+                return Route.by(self.equations, families, confirming=True)
+        except Exhausted:
+            return None
 
     def _reread(self, change: Change, values: Mapping[str, Formula]) -> Rereading:
         """The right answers with other letters and numbers in them."""
