@@ -81,8 +81,7 @@ def solve_problem(
     problem: Problem, *, law: str | None = None, digits: int = DIGITS, at: str | None = None, confirm: bool = True
 ) -> Solution:
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
-    if not 1 <= digits <= MOST_DIGITS:
-        raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
+    refuse_digits(digits)
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
     solution = refused_fairly(problem, law, digits, at)
@@ -90,6 +89,14 @@ def solve_problem(
     trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
     solution = replace(solution, trace=trace)
     return held_against_assembly(solution, problem) if confirm else solution
+
+
+def refuse_digits(digits: int) -> None:
+    """TypeError or ValueError for what is no number of digits."""
+    if not isinstance(digits, int):
+        raise TypeError(f"digits are a whole number, not {digits!r}")
+    if not 1 <= digits <= MOST_DIGITS:
+        raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
 
 
 def solved_anew(

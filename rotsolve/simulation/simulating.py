@@ -47,7 +47,11 @@ def simulate(
     Raises SceneError for a scene that can't be read, Unsolvable for what can't be simulated, ValueError for a time or accuracy that
     is none.
     """
-    seconds = float(until) if isinstance(until, (int, float)) else read_seconds(until)
+    if not isinstance(until, (str, int, float)) or not isinstance(accuracy, (int, float)):
+        raise TypeError(
+            f"a motion is followed until a time such as '2 s', to an accuracy such as 1e-8, not {until!r} and {accuracy!r}"
+        )
+    seconds = read_seconds(until) if isinstance(until, str) else float(until)
     if not 0 < seconds < math.inf:
         raise ValueError("the time to simulate must be above zero")
     if not MOST_ACCURACY <= accuracy <= LEAST_ACCURACY:

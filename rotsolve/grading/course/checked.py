@@ -57,13 +57,26 @@ def check_answers(
 def papers_of(answers: Answers, task: SheetTask) -> tuple[Paper, ...]:
     """What is handed in to each problem, whatever form it has."""
     if isinstance(answers, Mapping):
-        return read_map_of_student(written_yaml(answers), "<dict>", task)
+        return read_map_of_student(written_yaml(as_typed(answers)), "<dict>", task)
     if isinstance(answers, os.PathLike):
         file = os.fspath(answers)
         return read_papers_of_student(content_of(file), file, task)
+    if not isinstance(answers, str):
+        raise TypeError(f"answers are a dict, a text or a path, not {answers!r}")
     if "\n" not in answers.strip():
         return papers_of_answers((answers.strip(),), task, "<text>")
     return read_papers_of_student(answers, "<text>", task)
+
+
+def as_typed(answers: Mapping[str, object]) -> dict[str, object]:
+    """Answers as texts, numbers, lists and maps, without those that are None."""
+    typed = {name: as_typed(told) if isinstance(told, Mapping) else told for name, told in answers.items()}
+    return {name: str(told) if is_expression(told) else told for name, told in typed.items() if told is not None}
+
+
+def is_expression(value: object) -> bool:
+    """Whether a value is an expression of SymPy, whose text is that of a formula."""
+    return type(value).__module__.partition(".")[0] == "sympy"
 
 
 class VerdictView(Struct, frozen=True):

@@ -74,6 +74,8 @@ def run_check(request: CheckRequest) -> int:
     except Exception as error:
         return refuse_check(failure_outcome(request.problem, error).message)
     examination.shows_right = request.shows_right
+    if request.of_class:
+        examination.label_answers()
     try:
         if request.marks_alone:
             from rotsolve.grading.course.stream.run import mark_stream

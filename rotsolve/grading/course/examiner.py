@@ -111,7 +111,10 @@ class Judges:
         parts = {
             f"{answer.name}_{label}": answer.name for answer in answers if answer.rows for label in labels_of(answer)
         }
-        return Task(self.problem.title, letters, {name: whole for name, whole in parts.items() if name not in letters})
+        own = {name: whole for name, whole in parts.items() if name not in letters}
+        known = {answer.name: answer.dimension for answer in answers if answer.dimension is not None}
+        dimensions = known | {name: known[whole] for name, whole in own.items() if whole in known}
+        return Task(self.problem.title, letters, own, dimensions=dimensions)
 
     def new_judge(self, number: int) -> Judge:
         """The judge of a variant, 0 for the scene as it stands; in any order."""

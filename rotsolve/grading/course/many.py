@@ -42,7 +42,9 @@ def check_class(request: CheckRequest, examination: Examination) -> int:
     handed = handed_in(request.answers, examination.task)
     rows, merged = handed.entries, tuple[str, ...]()
     if request.output is not None:
-        earlier = [] if request.anew else read_papers(Path(request.output), examination.task)
+        earlier, separator = ([], "") if request.anew else read_papers(Path(request.output), examination.task)
+        same = separator or handed.columns.separator  # tables of a report stay as they are
+        handed = replace(handed, columns=replace(handed.columns, separator=same))
         rows = tuple(with_file(earlier, rows))
         merged = tuple(what_was_merged(earlier, rows, handed.entries)) if earlier else ()
     course = marked_course(request, examination, handed, rows)
@@ -85,7 +87,8 @@ def what_was_merged(earlier: Sequence[Entry], rows: Sequence[Entry], fresh: Sequ
         again = f"{len(own) - len(new)} of students who had handed in before"
         yield f"{papers_in_words(len(own))} from {file}, {again}."
     kept = [holder for holder in holders if holder not in own]
-    left = [holder for holder in own if not any(entry in fresh for entry in holder.rows)]
+    told = {(entry.line, entry.student) for entry in fresh}  # what can't be told whose it is has lost its papers
+    left = [holder for holder in own if not any((entry.line, entry.student) in told for entry in holder.rows)]
     if left:
         names = ", ".join(holder.student.called for holder in left[:NAMED])
         yield f"Not in {file} any more, but kept from an earlier run: {names}{', …' if len(left) > NAMED else ''}. --anew forgets them."
@@ -125,7 +128,7 @@ def report_class(course: MarkedClass, request: CheckRequest, rows: Sequence[Entr
     with advancing("writing") as tell:
         failed = write_report(course, folder, pages, tell)
     if not failed:
-        head = head_of_class(course.task, course.held, course.tally, course.seed)
+        head = head_of_class(course.task, course.columns, course.held, course.tally, course.seed)
         for said in (*head, *course.merged, *absent_from_gradebooks(course)):
             print(said)
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")

@@ -36,7 +36,7 @@ def mark_stream(request: CheckRequest, examination: Examination) -> int:
     tally, task = Tally(), examination.task
     write_marks(request.output or "", counted_rows(kept.in_order(), tally), task, papers)
     kept.remove()
-    print("\n".join(head_of_class(task, papers.columns.held(task), tally, examination.seed)))
+    print("\n".join(head_of_class(task, papers.columns, papers.columns.held(task), tally, examination.seed)))
     print(f"The marks are in {request.output}.")
     return ALL_RIGHT if tally.all_faultless else NOT_ALL_RIGHT
 
