@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Negative, Sum, Symbol, total
 from rotsolve.core.equation import STATED, Equation
-from rotsolve.core.facts import signed
+from rotsolve.core.facts import Facts, signed
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import CONSTANT, RATE, has_quantities, is_key, is_quantity, paths_in
@@ -213,6 +213,7 @@ class Statements(Struct):
     fixed: Fixed
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
     told: list[tuple[str, Condition]] = field(default_factory=list)  # the quantities that lines fix, by key
+    told_by_facts: bool = False  # whether facts of bodies tell what some of them fix
 
     @property
     def configuration(self) -> Configuration:
@@ -417,7 +418,11 @@ class Statements(Struct):
 
             phases = [part for part in self.configuration.timeline.since(state) if part.event is None]
             return total([angle_turned(path.owner, part, instant) for part in phases])
-        return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
+        return PathReader(instant, lambda: self._facts(instant)).meaning(path).formula
+
+    def _facts(self, instant: Instant) -> Facts:
+        self.told_by_facts = True
+        return free_bodies(instant)
 
     def _gone(self, path: Path, instant: Instant) -> Formula:
         """The way of a body since the state before, along its line or in one direction."""

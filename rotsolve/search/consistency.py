@@ -256,6 +256,8 @@ def disagreement(search: Search) -> Equation | None:
 
 def first_broken(search: Search, numbers: KnownBalls) -> Equation | None:
     """The first equation that can not hold; what an equation tells of its one unknown serves the next ones."""
+    if search.ground is not None:
+        search.ground.tried.update(range(len(search.equations)))
     pending = [equation for equation in search.equations if not runs(equation, search)]
     pending += integrated_equations(search)
     pending.sort(key=lambda equation: bool(equation.family))  # a rule that is broken says more than a law

@@ -66,11 +66,10 @@ class Ground:
     """What all searches of a scene share: its equations as the planner sees them, its givens and their signs, the letters that run."""
 
     def __init__(self, scene: SceneEquations, families: Collection[str]) -> None:
-        configuration = scene.configuration
-        problem = configuration.problem
+        configuration, problem = scene.configuration, scene.configuration.problem
         self.scene = scene
         self.chose = False  # whether some equation had several roots
-        self.working_out: set[str] = set()  # the letters that are being told aside
+        self.tried, self.working_out = set[int](), set[str]()  # equations looked into, letters being told aside
         self.passed_over: dict[str, list[Formula]] = {}  # roots for letters with which the scene does not come about
         self.picked: dict[str, Formula] = {}  # those that are meant, where others are known
         self.givens = {given.name: given for given in problem.givens}
@@ -148,6 +147,7 @@ class Search(Struct, dict=True):
             signs=self.signs,
             choose=self.choose_root,
             refs=self.refs,
+            tried=ground.tried,
             running=self.running,
             lone=len(self.scene.configuration.problem.finds) == 1,
         )

@@ -94,6 +94,36 @@ def test_platforms_mark_as_check_does(scene: Path) -> None:
     assert next(numerical, None) is None
 
 
+@pytest.mark.sampled(30)
+@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+def test_what_rounding_on_the_way_makes_of_a_number_is_worth_the_same(scene: Path) -> None:
+    """However narrow the band is between what an answer may be off and how far rounding takes it."""
+    sheets = sheets_of(str(scene))
+    if not sheets:
+        pytest.skip("no answer")
+    one = sheets[0].problems[0]
+    judge = judge_of(one)
+    for part in parts_for_platforms(one, judge, 4):
+        asked = judge.targets[part.part.name].whole
+        if len(part.numbers) < 1 or len(part.boxes) != 1 or asked is None:
+            continue
+        right, margin = float(part.numbers[0].numbers[0]), float(part.numbers[0].margins[0])
+        band = float(judge.explaining.spread(asked)) * abs(right) - margin
+        for side in (1, -1) if band > EDGE * margin else ():
+            number = right + side * (margin + band / 2)
+            found = judged(judge, part.part.name, typed([number], part))
+            known = next((one for one in part.numbers if covers(one, [number])), None)
+            assert float(found.marks / found.of) == float(known.share if known else 0), (part.part.name, number, found)
+
+
+def test_a_narrow_band_is_known() -> None:
+    """The force at the lowest point, 23.8875 N: 1 % is right, 1.12 % is what rounding makes it, and what lies between has part marks."""
+    one = sheets_of(str(ROOT / "problems" / "hinged" / "rod-30.yaml"))[0].problems[0]
+    part = next(part for part in parts_for_platforms(one, judge_of(one), 4) if part.part.name == "F_low")
+    found = [next(known.share for known in part.numbers if covers(known, [number])) for number in (23.7, 23.63, 24.14)]
+    assert [str(share) for share in found] == ["1", "3/4", "3/4"]
+
+
 def covers(known: KnownNumbers, numbers: list[float]) -> bool:
     """Whether numbers are those of a known answer already: a platform sees no figures, 1.6 and 1.600 are the same to it."""
     sides = zip(known.numbers, known.margins, numbers, strict=True)
