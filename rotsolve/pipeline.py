@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import witnessed
+from rotsolve.algebra.certified.ball import refuse_digits, witnessed
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.formula import Formula, Number
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from rotsolve.search.acting import ActingWays
     from rotsolve.search.complete import FollowedCourses
 
-DIGITS, MOST_DIGITS = 4, 1000
+DIGITS = 4
 FEW_LETTERS = 4  # that a message names
 STEPS = 20_000  # of work for a scene
 TRIAL_STEPS = STEPS // 10  # of work for one that is only tried, for a word of help
@@ -89,14 +89,6 @@ def solve_problem(
     trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
     solution = replace(solution, trace=trace)
     return held_against_assembly(solution, problem) if confirm else solution
-
-
-def refuse_digits(digits: int) -> None:
-    """TypeError or ValueError for what is no number of digits."""
-    if not isinstance(digits, int):
-        raise TypeError(f"digits are a whole number, not {digits!r}")
-    if not 1 <= digits <= MOST_DIGITS:
-        raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
 
 
 def solved_anew(

@@ -53,11 +53,10 @@ class AnswerView(Struct, frozen=True, eq=False):
 
         Fewer stand there where the number is exact, or where no more can be certified. TypeError and ValueError as for `solve`.
         """
-        from rotsolve.pipeline import refuse_digits
-
-        refuse_digits(digits)
+        from rotsolve.algebra.certified.ball import refuse_digits
         from rotsolve.page.values import certified_digits, machine_number
 
+        refuse_digits(digits)
         return machine_number(certified_digits(self.answer.value, digits)[0]) or None
 
     @property
