@@ -274,7 +274,11 @@ class Connection(ActingElement, frozen=True):
         return self
 
     def touches(self) -> tuple[PointRef, ...]:
-        return tuple(ref for field in self.pointed for ref in getattr(self, field))
+        try:
+            found: tuple[PointRef, ...] = self.__dict__["touched"]
+        except KeyError:
+            found = self.__dict__["touched"] = tuple(ref for field in self.pointed for ref in getattr(self, field))
+        return found
 
     def between(self) -> tuple[PointRef, ...]:
         """The two bodies, if any, whose turning against each other its angles and angular velocities are."""

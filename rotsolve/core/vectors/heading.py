@@ -31,6 +31,7 @@ from rotsolve.algebra.formula import (
 )
 
 ANGLES = 360  # of which the cosines are remembered
+WHOLE = [Fraction(degrees) for degrees in range(360)]
 _COSINE = {  # exact cosines of the first quadrant, degrees
     Fraction(0): ONE,
     Fraction(30): sqrt(Number(Fraction(3))) / 2,
@@ -56,6 +57,8 @@ class Heading(Struct, frozen=True):
         return self + (-other)
 
     def turned(self, degrees: int | Fraction) -> Heading:
+        if isinstance(degrees, int) and self.degrees.denominator == 1:
+            return Heading(WHOLE[(self.degrees.numerator + degrees) % 360], self.terms)
         return Heading((self.degrees + degrees) % 360, self.terms)
 
     def cos(self) -> Formula:
