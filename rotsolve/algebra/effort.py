@@ -57,7 +57,7 @@ class Collecting:
 
 @contextmanager
 def rarely_collecting() -> Iterator[None]:
-    """Python looks for cycles among new objects less often within, for all that is remembered is looked through each time; as before after it.
+    """Python looks for cycles less often within: each time it looks through all that is remembered. After it as before.
 
     Where it is told to look less often, or not at all, that stays.
     """

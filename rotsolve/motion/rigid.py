@@ -148,11 +148,11 @@ def pieces(body: Body) -> tuple[RigidPiece, ...]:
     try:
         found: tuple[RigidPiece, ...] = body.__dict__["pieces"]
     except KeyError:
-        found = body.__dict__["pieces"] = _pieces(body)
+        found = body.__dict__["pieces"] = _all_pieces(body)
     return found
 
 
-def _pieces(body: Body) -> tuple[RigidPiece, ...]:
+def _all_pieces(body: Body) -> tuple[RigidPiece, ...]:
     own = _own_piece(body)
     parts = tuple(piece for part in body.parts for piece in _placed(part, ONE))
     holes = tuple(piece for hole in body.holes for piece in _cut(hole, body))

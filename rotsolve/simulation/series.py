@@ -337,7 +337,7 @@ def solver_of_two(table: list[list[Scalar]], turned: bool) -> Callable[[list[Sca
     """The same for two unknowns, the commonest case, written out; `turned` where the rows have been exchanged."""
     (a, b), (factor, d) = table
 
-    def solve(right: list[Scalar]) -> list[Scalar]:
+    def solve(right: list[Scalar]) -> Sequence[Scalar]:
         first, second = (right[1], right[0]) if turned else right
         y = (second - factor * first) / d
         return (first - b * y) / a, y
