@@ -1,12 +1,13 @@
 """What it costs to judge a line of a student, once the scene is solved: reading it in all ways, and the verdict; of a wrong line, also to
-look for its mistake.
+look for its mistake; and papers in a stream.
 
-    python benchmarks/checking.py [--lines N] [--each N] [--seed S] [--write]
+    python benchmarks/checking.py [--lines N] [--each N] [--seed S] [--papers N] [--write]
 
 Lines are made from the answers of every fourth bundled problem: rewritten right forms, forms with a slip, lines that can be read in two
 ways, numbers with units; no answer has a line twice. Wrong lines are marked as those of a class: answers with a known mistake in them,
 formulas with a slip, wrong numbers; the first of a problem pays for the search that all others share. All times are processor times.
-`--write` puts the tables into docs/benchmarks.md.
+`--papers` is how many are marked in a stream, after a tenth as many, by this process and by one and two workers; 0 leaves that out,
+as `--lines 0` does all else. `--write` puts the tables into docs/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from pathlib import Path
 from random import Random
 from statistics import mean
 
+from costs.streams import stream_page
 from costs.tables import share, table
 from report import machine, write_section
 from rotsolve import solve
@@ -282,16 +284,22 @@ def page(lines: int, seed: int) -> str:
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description="What it costs to judge a line.")
-    parser.add_argument("--lines", type=int, default=2000, help="lines of each kind (2000)")
+    parser.add_argument("--lines", type=int, default=2000, help="lines of each kind, 0 for none (2000)")
     parser.add_argument("--each", type=int, default=6, help="wrong lines of each kind for each answer (6)")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--write", action="store_true", help="put the table into docs/benchmarks.md")
+    parser.add_argument("--papers", type=int, default=20_000, help="papers in a stream, 0 for none (20000)")
+    parser.add_argument("--write", action="store_true", help="put the tables into docs/benchmarks.md")
     told = parser.parse_args()
     gc.set_threshold(GARBAGE)  # as in the command
-    text = f"{page(told.lines, told.seed)}\n\n{wrong_page(told.each, told.seed)}"
-    print(text)
-    if told.write:
-        write_section("checking", text)
+    sections = (
+        {"checking": f"{page(told.lines, told.seed)}\n\n{wrong_page(told.each, told.seed)}"} if told.lines else {}
+    )
+    if told.papers:
+        sections["papers"] = stream_page(told.papers // 10, told.papers)
+    for name, text in sections.items():
+        print(text, end="\n\n")
+        if told.write:
+            write_section(name, text)
 
 
 if __name__ == "__main__":

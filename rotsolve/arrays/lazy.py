@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotsolve.algebra.certified.alone import ALONE
 from rotsolve.arrays import ManyAnswers, checked, single_answers
 from rotsolve.arrays.many import worked_out_sets
 
 if TYPE_CHECKING:
     from rotsolve.solution import Solution
-
-ALONE = Lock()  # the precision of numbers is one for all threads of a process
 
 
 def lazy_answers(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:

@@ -87,21 +87,27 @@ def elements_command(name: Element = None) -> None:
         print(text.rstrip("\n"))
 
 
-def schema_command() -> None:
+def schema_command(
+    sheet: Annotated[bool, typer.Option("--sheet", help="That of a sheet file, which lists problems.")] = False,
+) -> None:
     """Print the JSON Schema of a scene file.
 
     Editors complete and check a scene with it as it is written.
 
     \b
-    Example:
+    Examples:
       rotsolve schema > scene.schema.json
+      rotsolve schema --sheet > sheet.schema.json
     """
     import json
 
-    from rotsolve.scene.schema import json_schema
+    if sheet:
+        from rotsolve.scene.sheet_schema import sheet_schema as made
+    else:
+        from rotsolve.scene.schema import json_schema as made
 
     with orderly():
-        print(json.dumps(json_schema(), indent=2, ensure_ascii=False))
+        print(json.dumps(made(), indent=2, ensure_ascii=False))
 
 
 COMMANDS: dict[str, Callable[..., None]] = {  # in the order in which --help lists them

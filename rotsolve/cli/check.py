@@ -18,7 +18,9 @@ Problem = Annotated[
 ]
 Answers = Annotated[
     str | None,
-    typer.Argument(metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv; - is standard input."),
+    typer.Argument(
+        metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv or .parquet; - is standard input."
+    ),
 ]
 Typed = Annotated[
     list[str] | None,
@@ -26,7 +28,12 @@ Typed = Annotated[
 ]
 Report = Annotated[
     str | None,
-    typer.Option("--output", "-o", metavar="PATH", help="The folder of a class's report, or one page's file."),
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="PATH",
+        help="The folder of a class's report, the table of its marks, or one page's file.",
+    ),
 ]
 Pages = Annotated[
     str | None,
@@ -43,7 +50,13 @@ Number = Annotated[
 ]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Mark a class by so many processes.")]
 Shown = Annotated[bool, typer.Option("--answers", help="Show the right answers on the pages of students.")]
-Anew = Annotated[bool, typer.Option("--anew", help="Forget the papers that earlier runs have put into the report.")]
+Anew = Annotated[
+    bool, typer.Option("--anew", help="Forget what earlier runs have put into the report, or have marked.")
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="ADDRESS", help="Have a class marked by the workers of a dask scheduler, tcp://HOST:8786."),
+]
 Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, help="How many variants there are.")]
 
 
@@ -60,6 +73,7 @@ def check_command(
     jobs: Jobs = 1,
     answers_shown: Shown = False,
     anew: Anew = False,
+    cluster: Scheduler = None,
 ) -> None:
     """Mark the answers of a student or of a class.
 
@@ -70,6 +84,7 @@ def check_command(
       rotsolve check problems/pulleys/block-on-disc.yaml class.csv -o report
       rotsolve check homework4.yaml class.csv -o report --answers
       rotsolve check homework4.yaml late.csv -o report
+      rotsolve check homework4.yaml papers.parquet -o marks.csv --cluster tcp://10.0.0.1:8786
 
     \b
     Exit codes:
@@ -82,7 +97,9 @@ def check_command(
     if (answers is None) == (not typed):
         raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
     chosen = (output, format, variant, variants, seed, width or page_width(output), jobs, answers_shown, anew)
-    request = CheckRequest(problem, answers or "", tuple(typed or ()), *chosen)
+    request = CheckRequest(problem, answers or "", tuple(typed or ()), *chosen, cluster)
+    if cluster is not None and not request.of_class:
+        raise typer.BadParameter("a cluster marks a class's table, .csv or .parquet", param_hint="'--cluster'")
     if FORMATS[request.shown_as].binary:
         ready_for_bytes(request.shown_as, output)
     with orderly():

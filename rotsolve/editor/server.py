@@ -93,7 +93,14 @@ class SceneServer(LanguageServer):
     def diagnostic(self, uri: str, fault: Fault) -> types.Diagnostic:
         message = fault.message + (f"\n{fault.help}" if fault.help else "")
         severity = MILD.get(fault.kind, types.DiagnosticSeverity.Error)
-        return types.Diagnostic(self.range(uri, fault.span), message, severity, code=fault.kind, source="rotsolve")
+        related = [
+            types.DiagnosticRelatedInformation(types.Location(uri, self.range(uri, other.span)), other.note)
+            for other in fault.related
+        ]
+        place = self.range(uri, fault.span)
+        return types.Diagnostic(
+            place, message, severity, code=fault.kind, source="rotsolve", related_information=related or None
+        )
 
     def check(self, uri: str, *, solve: bool = False) -> None:
         """Read a text and show its faults; one that has none is solved if that is asked for."""

@@ -5,14 +5,16 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Iterable, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING
 
 from rotsolve.page.formats import DATA, format_named
 from rotsolve.run.attempt import BAD, SOLVED, FileOutcome, SolveRequest
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from rotsolve.page.columns import TextLine
 
 NAMED = 10  # files that were not solved, at the end of a long run
@@ -115,21 +117,28 @@ def write_file(name: str, content: str | bytes) -> int:
         if path.exists() and not path.is_file():  # /dev/stdout, a named pipe
             path.write_bytes(data)
             return SOLVED
-        mode = path.stat().st_mode & 0o777 if path.exists() else None
-        fresh = path.with_name(f".{path.name}.{os.getpid()}.new")
-        try:
+        with replacing(path) as fresh:
             fresh.write_bytes(data)
-            if mode is not None:
-                fresh.chmod(mode)
-            fresh.replace(path)
-        except BaseException:
-            with suppress(OSError):
-                fresh.unlink()
-            raise
     except OSError as error:
         print(f"error: cannot write {name}: {error.strerror or error}", file=sys.stderr)
         return BAD
     return SOLVED
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """A new file beside another, which it replaces when all has been written, and as which it may be read by the same; else it goes."""
+    mode = path.stat().st_mode & 0o777 if path.exists() else None
+    fresh = path.with_name(f".{path.name}.{os.getpid()}.new")
+    try:
+        yield fresh
+        if mode is not None:
+            fresh.chmod(mode)
+        fresh.replace(path)
+    except BaseException:
+        with suppress(OSError):
+            fresh.unlink()
+        raise
 
 
 def harmless(text: str) -> str:

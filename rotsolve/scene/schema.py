@@ -18,6 +18,7 @@ from rotsolve.scene.examples import as_data, example_body, example_element, exam
 from rotsolve.scene.reference import element_text, key_meaning
 from rotsolve.scene.scope import NAME
 
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
 WORDS: dict[str, Any] = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
 PLACE: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxItems": 3}
@@ -86,7 +87,7 @@ SCENE = {  # one of all that a scene has most often
 def json_schema() -> dict[str, Any]:
     """The schema of a scene file."""
     return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$schema": DIALECT,
         "title": "rotsolve scene",
         "description": "a problem of turning bodies, as docs/language.md describes it",
         "type": "object",
@@ -238,7 +239,9 @@ def snippet(word: str, about: str, example: str, kept: str = "") -> dict[str, An
 def value_schema(key: Key) -> dict[str, Any]:
     """The schema of one value, by its kind."""
     kinds: dict[str, dict[str, Any]] = {
-        **dict.fromkeys(("text", "quantity", "density", "marks", "tolerance", "deduction"), SCALAR),
+        **dict.fromkeys(
+            ("text", "word", "file", "room", "quantity", "density", "marks", "tolerance", "deduction"), SCALAR
+        ),
         **dict.fromkeys(("place", "spot", "vector"), PLACE),
         **dict.fromkeys(("direction", "axis", "axis in space", "amount", "motion"), EITHER),
         "gravity": {"anyOf": [SCALAR, GRAVITY_IN]},

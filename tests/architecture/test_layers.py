@@ -56,7 +56,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("__main__",),
 )
 LATE: set[tuple[str, str]] = set()  # imports upwards that are allowed within functions, each one a debt
-HEAVY = {"sympy", "numpy", "scipy", "mpmath", "pint", "matplotlib", "pandas", "dask"}
+HEAVY = {"sympy", "numpy", "scipy", "mpmath", "pint", "matplotlib", "pandas", "dask", "distributed", "pyarrow"}
 RUNS_TEXT = {"eval", "exec", "parse_expr", "sympify", "__import__", "compile"}
 FUNCTION_LINES, FILE_LINES, FOLDER_FILES = 40, 300, 12
 
@@ -155,7 +155,7 @@ def test_heavy_packages_are_imported_by_the_step_that_needs_them(path: Path) -> 
 @pytest.mark.parametrize("path", FILES, ids=name)
 def test_only_known_packages_are_imported(path: Path) -> None:
     ours = {"rotsolve", "sympy", "typer", "yaml", "rich", "flint", "msgspec", "pebble", "markdown_it"}
-    ours |= {"numpy", "dask", "matplotlib", "pandas", "typst", "pygls", "lsprotocol"}
+    ours |= {"numpy", "dask", "matplotlib", "pandas", "typst", "pygls", "lsprotocol", "distributed", "pyarrow"}
     known = ours | set(sys.stdlib_module_names)
     assert {module.partition(".")[0] for module, _ in imported(path, late=True)} <= known
 

@@ -90,6 +90,20 @@ def edited(text: str, edit: types.TextEdit) -> str:
     return "\n".join(lines)
 
 
+def test_a_fault_names_the_other_places_that_it_speaks_of() -> None:
+    asyncio.run(related_places())
+
+
+async def related_places() -> None:
+    """A letter in use whose unit does not fit: the given is another place of the same file."""
+    async with session(SCENE.replace("R: 20 cm", "R: 20 s").replace("R: 0.2 m", "R: 0.2 s")) as editor:
+        (found,) = [item for item in await editor.next() if item.code == "dimension"]
+        (other,) = found.related_information or ()
+        assert other.location.uri == URI and other.message == "`R` is given here"
+        line = SCENE.split("\n")[other.location.range.start.line]
+        assert line.startswith("given:") and line[other.location.range.start.character] == "R"
+
+
 def test_a_session_from_faults_to_a_solved_scene() -> None:
     asyncio.run(whole_session())
 

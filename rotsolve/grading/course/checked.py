@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.grading.course.command import SEED, all_right
+from rotsolve.grading.course.command import SEED
 from rotsolve.grading.course.examiner import Judges, variant_of
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import SheetTask, Task
@@ -128,7 +128,7 @@ class CheckedPaper(Struct, frozen=True):
     @property
     def right(self) -> bool:
         """Whether every answer is right, and no line of working wrong."""
-        return all_right(MarkedSheet((self.marked,)))
+        return MarkedSheet((self.marked,)).all_right
 
     @property
     def marks(self) -> float:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.core.faults import Fault, SceneError
+from rotsolve.core.faults import Fault, RotsolveError, SceneError
 from rotsolve.grading.course.by_problem import papers_of_answers, read_papers_of_student
 from rotsolve.grading.course.examination import Examination
 from rotsolve.grading.course.examiner import NotMarked
@@ -16,7 +17,7 @@ from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.student import StudentPage
 from rotsolve.grading.course.sheet import HandedInError, content_of
 from rotsolve.grading.course.students import Student
-from rotsolve.grading.verdict import BY_HAND, RIGHT, WRONG, Marked
+from rotsolve.grading.verdict import Marked
 from rotsolve.page.blocks import Page
 from rotsolve.page.formats import TERMINAL, format_named, format_of_file
 from rotsolve.page.text import PRINTER
@@ -24,7 +25,7 @@ from rotsolve.run import coloured
 from rotsolve.run.attempt import PIPED, failure_outcome, name_of, piped, scene_source
 
 ALL_RIGHT, NOT_ALL_RIGHT, BAD = 0, 1, 2
-TABLES = (".csv", ".tsv", ".tab")
+TABLES = (".csv", ".tsv", ".tab", ".parquet")
 SEED = 1
 
 
@@ -43,11 +44,18 @@ class CheckRequest(Struct, frozen=True):
     jobs: int = 1
     shows_right: bool = False
     anew: bool = False
+    cluster: str | None = None  # the address of a scheduler, whose workers mark
 
     @property
     def of_class(self) -> bool:
         """Whether the answers are a table."""
         return self.answers.lower().endswith(TABLES)
+
+    @property
+    def marks_alone(self) -> bool:
+        """Whether a class is marked into a table of marks; else into a folder, or its summary is shown."""
+        named_so = self.output is not None and self.output.lower().endswith(TABLES)
+        return self.of_class and named_so and not os.path.isdir(self.output or "")
 
     @property
     def shown_as(self) -> str:
@@ -66,7 +74,13 @@ def run_check(request: CheckRequest) -> int:
     except Exception as error:
         return refuse_check(failure_outcome(request.problem, error).message)
     examination.shows_right = request.shows_right
+    if request.of_class:
+        examination.label_answers()
     try:
+        if request.marks_alone:
+            from rotsolve.grading.course.stream.run import mark_stream
+
+            return mark_stream(request, examination)
         if request.of_class:
             from rotsolve.grading.course.many import check_class
 
@@ -74,6 +88,8 @@ def run_check(request: CheckRequest) -> int:
         return check_one(request, examination)
     except SceneError as error:
         return refuse_check(error.render())
+    except RotsolveError as error:
+        return refuse_check(f"error: {error}")
     except OSError as error:
         return refuse_check(f"error: cannot write {request.output or name_of('')}: {error.strerror or error}")
 
@@ -102,7 +118,7 @@ def check_one(request: CheckRequest, examination: Examination) -> int:
         print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
     page = StudentPage(task, marked, Student(papers[0].student), variant)
     failed = show_page(page, request, request.output)
-    return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)
+    return failed or (ALL_RIGHT if marked.all_right else NOT_ALL_RIGHT)
 
 
 def only_answered(task: SheetTask, marked: MarkedSheet) -> tuple[SheetTask, MarkedSheet]:
@@ -120,15 +136,6 @@ def answered_problem(marked: Marked) -> Marked:
     """The paper of one problem without what was not answered."""
     parts = tuple(part for part in marked.parts if part.text)
     return replace(marked, parts=parts, marks=sum(part.marks for part in parts), of=sum(part.of for part in parts))
-
-
-def all_right(marked: MarkedSheet) -> bool:
-    """Whether every answer is right, or has all marks by hand, and no line of working is wrong."""
-    answers = all(
-        part.verdict.outcome == RIGHT or (part.verdict.outcome == BY_HAND and part.marks == part.of)
-        for part in marked.parts
-    )
-    return answers and not any(line.verdict.outcome == WRONG for one in marked.problems for line in one.lines)
 
 
 def show_page(page: Page, request: CheckRequest, output: str | None) -> int:

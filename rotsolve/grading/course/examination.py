@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
     from rotsolve.grading.course.examiner import Judges
     from rotsolve.keys.problem_set import ProblemSet
+    from rotsolve.scene.read import Source
 
 SHEET = "sheet"  # the kind of the fault of a scene that is a sheet of problems
 DIGITS = 4  # of a right answer
@@ -29,31 +30,40 @@ DIGITS = 4  # of a right answer
 class Examination:
     """The problems of a scene or a sheet, each with its judges. Raises SceneError and Unsolvable where one can't be marked by."""
 
-    def __init__(self, judges: Sequence[Judges], sheet: ProblemSet | None = None) -> None:
-        self.judges = tuple(judges)
+    def __init__(self, judges: Sequence[Judges], task: SheetTask) -> None:
+        self.judges, self.task = tuple(judges), task
         self.shows_right = False  # whether marked papers come with the right answers
         for one in self.judges:
             hold_to_checks(one)
-        if sheet is None:
-            tasks = tuple(task_with_points(one.task, one) for one in self.judges)
-            self.task = SheetTask(tasks[0].title, tasks)
-        else:
-            self.task = sheet_task(self.judges, sheet)
 
     @classmethod
     def of_file(cls, scene: str | PathLike[str], seed: int, count: int | None) -> Examination:
         """That of a scene, in a file or in a text, or of a sheet file."""
-        from rotsolve.grading.course.examiner import Judges
-
         try:
-            return cls([Judges(scene, seed, count)])
+            return cls.of_scene(scene, seed, count)
         except SceneError as error:
             if not any(fault.kind == SHEET for fault in error.faults) or (isinstance(scene, str) and "\n" in scene):
                 raise
+        from rotsolve.grading.course.examiner import Judges
         from rotsolve.keys.problem_set import problem_as_set, read_problem_set
 
         sheet = read_problem_set(scene)
-        return cls([Judges(problem_as_set(one), seed, count) for one in sheet.problems], sheet)
+        judges = [Judges(problem_as_set(one), seed, count) for one in sheet.problems]
+        return cls(judges, sheet_task(judges, sheet))
+
+    @classmethod
+    def of_scene(cls, scene: Source, seed: int, count: int | None) -> Examination:
+        """That of a scene alone."""
+        from rotsolve.grading.course.examiner import Judges
+
+        judges = Judges(scene, seed, count)
+        task = task_with_points(judges.task, judges)
+        return cls([judges], SheetTask(task.title, (task,)))
+
+    def label_answers(self) -> None:
+        """Let the answers of a scene alone be known by their labels on its sheet too, as those of a sheet are."""
+        tasks = zip(self.task.tasks, self.judges, strict=True)
+        self.task = replace(self.task, tasks=tuple(replace(one, labels=labels_of_parts(own)) for one, own in tasks))
 
     @property
     def varies(self) -> bool:
@@ -66,19 +76,27 @@ class Examination:
         return self.judges[0].seed if self.varies else None
 
     def mark(
-        self, papers: Sequence[Sequence[Paper] | None], jobs: int, tell: Callable[[float], None]
+        self,
+        papers: Sequence[Sequence[Paper] | None],
+        tell: Callable[[float], None] | None = None,
+        size: int | None = None,
+        way: Way | None = None,
     ) -> list[MarkedSheet]:
-        """The papers of all students, marked, by so many processes, telling how much is done; of one without papers nothing is marked."""
+        """The papers of all students, marked here, or in another way so many at a time, telling how much is done; of one without papers
+        nothing is marked."""
         found: list[list[Marked]] = [[unmarked(task) for task in self.task.tasks] for _ in papers]
         right: list[list[tuple[RightAnswer, ...]]] = [[() for _ in self.task.tasks] for _ in papers]
-        chunks = [chunk for place in range(len(self.judges)) for chunk in self.chunks(place, papers, jobs)]
-        for done, (chunk, marked, answers) in enumerate(self.marked_chunks(chunks, jobs), 1):
+        chunks = [
+            chunk for place in range(len(self.judges)) for chunk in self.chunks(place, papers, size or len(papers))
+        ]
+        for done, (chunk, marked, answers) in enumerate((way or self.marked_chunks)(chunks), 1):
             task = self.task.tasks[chunk.place]
             for student, one, number in marked:
                 marked_one = in_sheet_order(one, task) if isinstance(one, Marked) else unmarked(task, one)
                 found[student][chunk.place] = marked_one
                 right[student][chunk.place] = answers.get(number, ())
-            tell(done / len(chunks))
+            if tell is not None:
+                tell(done / len(chunks))
         return [MarkedSheet(tuple(one), tuple(own)) for one, own in zip(found, right, strict=True)]
 
     def mark_one(self, papers: Sequence[Paper]) -> MarkedSheet:
@@ -96,26 +114,19 @@ class Examination:
         """Whether a problem has the same numbers for all, though others vary."""
         return self.varies and judges.problem.vary is None
 
-    def chunks(self, place: int, papers: Sequence[Sequence[Paper] | None], jobs: int) -> Iterator[Chunk]:
-        """The papers of one problem, in as many parts as there are processes, each of variants that follow each other."""
+    def chunks(self, place: int, papers: Sequence[Sequence[Paper] | None], size: int) -> Iterator[Chunk]:
+        """The papers of one problem, so many at a time, each time of variants that follow each other."""
         judges = self.judges[place]
         alone = self.stands_alone(judges)
         own = [(student, own[place]) for student, own in enumerate(papers) if own is not None]
         own = [(student, replace(one, variant="") if alone else one) for student, one in own]
         own.sort(key=lambda item: told_variant(item[1]))
-        size = -(-len(own) // jobs) or 1
         for start in range(0, len(own), size):
             yield Chunk(place, tuple(own[start : start + size]), self.shows_right)
 
-    def marked_chunks(self, chunks: Sequence[Chunk], jobs: int) -> Iterator[tuple[Chunk, list[Done], Right]]:
-        """Each chunk with what came of it, in their order."""
-        if jobs == 1 or len(chunks) == 1:
-            for chunk in chunks:
-                yield chunk, *marked_chunk(chunk, self.judges[chunk.place])
-            return
-        from rotsolve.grading.course.in_processes import chunks_in_processes
-
-        yield from chunks_in_processes(chunks, self.judges, jobs)
+    def marked_chunks(self, chunks: Sequence[Chunk]) -> MarkedChunks:
+        """Each chunk with what came of it."""
+        return ((chunk, *marked_chunk(chunk, self.judges[chunk.place])) for chunk in chunks)
 
 
 class Chunk(Struct, frozen=True):
@@ -126,9 +137,10 @@ class Chunk(Struct, frozen=True):
     shows_right: bool = False
 
 
-Done = tuple[
-    int, "Marked | str", int
-]  # the place of a student, the paper as it is marked or why it is not, and its variant
+# the place of a student, the paper as it is marked or why it is not, and its variant
+Done = tuple[int, "Marked | str", int]
+MarkedChunks = Iterator[tuple[Chunk, list[Done], Right]]
+Way = Callable[[Sequence[Chunk]], MarkedChunks]
 
 
 def marked_chunk(chunk: Chunk, judges: Judges) -> tuple[list[Done], Right]:
@@ -173,13 +185,18 @@ def task_with_points(task: Task, judges: Judges) -> Task:
     return replace(task, points={name: marking_of(marking, name).points for name in task.letters})
 
 
-def sheet_task(judges: Sequence[Judges], sheet: ProblemSet) -> SheetTask:
-    """What a sheet asks: each problem with its number and short name, and its answers with the labels and in the order of the paper."""
+def labels_of_parts(judges: Judges) -> dict[str, str]:
+    """What each answer is called on a sheet: a, b, …"""
     from rotsolve.keys.parts import parts_of
 
+    return {part.name: part.label for part in parts_of(judges.problem)}
+
+
+def sheet_task(judges: Sequence[Judges], sheet: ProblemSet) -> SheetTask:
+    """What a sheet asks: each problem with its number and short name, and its answers with the labels and in the order of the paper."""
     tasks = []
     for one, own in zip(sheet.problems, judges, strict=True):
-        labels, task = {part.name: part.label for part in parts_of(own.problem)}, own.task
+        labels, task = labels_of_parts(own), own.task
         task = replace(task, letters={name: task.letters[name] for name in labels if name in task.letters})
         tasks.append(replace(task_with_points(task, own), number=one.number, name=one.name, labels=labels))
     return SheetTask(sheet.title, tuple(tasks), is_sheet=True)

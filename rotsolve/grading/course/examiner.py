@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
+from itertools import islice
 from typing import TYPE_CHECKING, TypeVar
 
 from msgspec.structs import replace
@@ -90,9 +91,15 @@ class Judges:
         self.solution = solve_problem(self.problem).complete()
         self._wrong: dict[Forms, WrongAnswers] = {}
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
-        self.right: dict[
-            int, tuple[Answer, ...]
-        ] = {}  # the answers to the variants that were asked for, 0 for the scene as it stands
+        self._found: list[Worked] = []  # the variants up to the highest that was asked for
+        self._unusable = "there are no variants that can be used"
+        # the answers to the variants that were asked for, 0 for the scene as it stands
+        self.right: dict[int, tuple[Answer, ...]] = {}
+        self.judge: Callable[[int], Judge] = self.new_judge
+
+    def keep(self, judges: int) -> None:
+        """From now on keep so many judges, those asked for last, from one question to the next; those that were kept are forgotten."""
+        self.judge = lru_cache(judges)(self.new_judge)
 
     @property
     def task(self) -> Task:
@@ -104,10 +111,13 @@ class Judges:
         parts = {
             f"{answer.name}_{label}": answer.name for answer in answers if answer.rows for label in labels_of(answer)
         }
-        return Task(self.problem.title, letters, {name: whole for name, whole in parts.items() if name not in letters})
+        own = {name: whole for name, whole in parts.items() if name not in letters}
+        known = {answer.name: answer.dimension for answer in answers if answer.dimension is not None}
+        dimensions = known | {name: known[whole] for name, whole in own.items() if whole in known}
+        return Task(self.problem.title, letters, own, dimensions=dimensions)
 
-    def judge(self, number: int) -> Judge:
-        """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
+    def new_judge(self, number: int) -> Judge:
+        """The judge of a variant, 0 for the scene as it stands; in any order."""
         if number == 0:
             self.right[0] = self.solution.derivation.answers
             return marker_of(self.solution, self.wrong_for(self.solution))
@@ -120,12 +130,12 @@ class Judges:
 
             self._worked = worked_variants(self.problem, self.count or HIGHEST, self.seed)
         try:
-            worked = next((worked for variant, worked in self._worked if variant.number == number), None)
+            self._found += (worked for _, worked in islice(self._worked, max(0, number - len(self._found))))
         except Unsolvable as error:
-            raise NotMarked(error.fault.message) from None
-        if worked is None:
-            raise NotMarked("there are no variants that can be used")
-        solution = self.varied(worked)
+            self._unusable = error.fault.message
+        if number > len(self._found):
+            raise NotMarked(self._unusable)
+        solution = self.varied(self._found[number - 1])
         self.right[number] = solution.derivation.answers
         return self.judge_of(solution)
 

@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from msgspec.structs import replace
 
-from rotsolve.grading.course.command import ALL_RIGHT, BAD, NOT_ALL_RIGHT, CheckRequest, all_right, show_page
+from rotsolve.grading.course.command import ALL_RIGHT, NOT_ALL_RIGHT, CheckRequest, refuse_check, show_page
 from rotsolve.grading.course.examination import Examination
 from rotsolve.grading.course.overrides import OVERRIDES, read_overrides, with_overrides
-from rotsolve.grading.course.papers import PAPERS, KnownStudent, KnownStudents, papers_table, read_papers, with_file
+from rotsolve.grading.course.papers import PAPERS, KnownStudents, papers_table, read_papers, with_file
+from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.folder import MARKS, SUMMARY, byte_order, write_report
 from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, known_to_canvas, known_to_moodle, with_all_marks
 from rotsolve.grading.course.report.results import MarkedClass, Result
-from rotsolve.grading.course.report.summary import NAMED, SummaryPage, doubtful_variants, overview, without_column
+from rotsolve.grading.course.report.summary import SummaryPage
+from rotsolve.grading.course.report.tally import NAMED, head_of_class
 from rotsolve.grading.course.sheet import content_of
+from rotsolve.grading.course.stream.cluster import joined_cluster
+from rotsolve.grading.course.stream.elsewhere import size_and_way
+from rotsolve.grading.course.stream.papers import is_parquet, open_papers
 from rotsolve.grading.course.students import names_apart
-from rotsolve.grading.course.table import Entry, Handed, read_table
+from rotsolve.grading.course.table import Entry, Handed, gathered_class, read_table, varied_entry
 from rotsolve.page.formats import FORMATS, PAGES, format_named
-from rotsolve.page.text import plain_text
 from rotsolve.run import advancing, same_file
 from rotsolve.run.delivery import write_file
 
@@ -35,19 +38,27 @@ def check_class(request: CheckRequest, examination: Examination) -> int:
     """Mark a class; the exit code says whether all of it is right."""
     fault = report_objection(request)
     if fault:
-        print(f"error: {fault}", file=sys.stderr)
-        return BAD
-    handed = read_table(content_of(request.answers), Path(request.answers).name, examination.task)
+        return refuse_check(f"error: {fault}")
+    handed = handed_in(request.answers, examination.task)
     rows, merged = handed.entries, tuple[str, ...]()
     if request.output is not None:
-        earlier = [] if request.anew else read_papers(Path(request.output), examination.task)
+        earlier, separator = ([], "") if request.anew else read_papers(Path(request.output), examination.task)
+        same = separator or handed.columns.separator  # tables of a report stay as they are
+        handed = replace(handed, columns=replace(handed.columns, separator=same))
         rows = tuple(with_file(earlier, rows))
         merged = tuple(what_was_merged(earlier, rows, handed.entries)) if earlier else ()
     course = marked_course(request, examination, handed, rows)
     course = replace(course, merged=merged)
     failed = report_class(course, request, rows) if request.output else show_page(SummaryPage(course), request, None)
-    right = all(all_right(result.sheet) for result in course.results)
-    return failed or (ALL_RIGHT if right else NOT_ALL_RIGHT)
+    return failed or (ALL_RIGHT if course.tally.all_faultless else NOT_ALL_RIGHT)
+
+
+def handed_in(file: str, task: SheetTask) -> Handed:
+    """The class in a file."""
+    if not is_parquet(file):
+        return read_table(content_of(file), Path(file).name, task)
+    papers = open_papers(file, task)
+    return gathered_class(papers.columns, papers.entries, file)
 
 
 def report_objection(request: CheckRequest) -> str:
@@ -76,7 +87,8 @@ def what_was_merged(earlier: Sequence[Entry], rows: Sequence[Entry], fresh: Sequ
         again = f"{len(own) - len(new)} of students who had handed in before"
         yield f"{papers_in_words(len(own))} from {file}, {again}."
     kept = [holder for holder in holders if holder not in own]
-    left = [holder for holder in own if not any(entry in fresh for entry in holder.rows)]
+    told = {(entry.line, entry.student) for entry in fresh}  # what can't be told whose it is has lost its papers
+    left = [holder for holder in own if not any((entry.line, entry.student) in told for entry in holder.rows)]
     if left:
         names = ", ".join(holder.student.called for holder in left[:NAMED])
         yield f"Not in {file} any more, but kept from an earlier run: {names}{', …' if len(left) > NAMED else ''}. --anew forgets them."
@@ -92,26 +104,18 @@ def marked_course(
     request: CheckRequest, examination: Examination, handed: Handed, rows: Sequence[Entry]
 ) -> MarkedClass:
     """All students of a class, marked, with the marks by hand that the report has."""
-    entries = [entry_with_variant(holder, request.variant) for holder in KnownStudents(rows).all]
+    entries = [varied_entry(holder.counting, request.variant) for holder in KnownStudents(rows).all]
     names = names_apart([(entry.student, entry.place) for entry in entries])
     known = [(entry.student, name) for entry, name in zip(entries, names, strict=True)]
     by_hand = {} if request.output is None else read_overrides(Path(request.output), examination.task, known)
-    with advancing("marking") as tell:
-        marked = examination.mark([entry.papers for entry in entries], request.jobs, tell)
+    with joined_cluster(request.cluster) as cluster, advancing("marking") as tell:
+        elsewhere = size_and_way(examination, len(entries), request.jobs, cluster)
+        marked = examination.mark([entry.papers for entry in entries], tell, *elsewhere)
     results = []
     for place, (entry, name, sheet) in enumerate(zip(entries, names, marked, strict=True)):
         own = tuple(by_hand.get(place, ()))
         results.append(Result(entry, name, with_overrides(sheet, own), own))
     return MarkedClass(examination.task, handed.columns, tuple(results), handed.byte_order_mark, examination.seed)
-
-
-def entry_with_variant(holder: KnownStudent, variant: int | None) -> Entry:
-    """The row of a student that counts; where it tells no variant, with that of the command line."""
-    entry = holder.counting
-    if entry.papers is None or entry.variant or variant is None:
-        return entry
-    papers = tuple(replace(paper, variant=str(variant)) for paper in entry.papers)
-    return replace(entry, papers=papers, variant=str(variant))
 
 
 def report_class(course: MarkedClass, request: CheckRequest, rows: Sequence[Entry]) -> int:
@@ -124,9 +128,8 @@ def report_class(course: MarkedClass, request: CheckRequest, rows: Sequence[Entr
     with advancing("writing") as tell:
         failed = write_report(course, folder, pages, tell)
     if not failed:
-        for paragraph in (*overview(course), *without_column(course), *doubtful_variants(course)):
-            print(plain_text(paragraph.words))
-        for said in (*course.merged, *absent_from_gradebooks(course)):
+        head = head_of_class(course.task, course.columns, course.held, course.tally, course.seed)
+        for said in (*head, *course.merged, *absent_from_gradebooks(course)):
             print(said)
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")
     return failed

@@ -8,7 +8,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from rotsolve.grading.verdict import JudgedPart, Marked
+from rotsolve.grading.verdict import BY_HAND, RIGHT, WRONG, JudgedPart, Marked
 from rotsolve.page.blocks import AnswerRow
 
 UNMARKED = "unmarked"  # the kind of the remark why a paper has no marks
@@ -43,6 +43,15 @@ class MarkedSheet(Struct, frozen=True):
     @property
     def of(self) -> Fraction:
         return sum((one.of for one in self.problems), Fraction(0))
+
+    @property
+    def all_right(self) -> bool:
+        """Whether every answer is right, or has all marks by hand, and no line of working is wrong."""
+        answers = all(
+            part.verdict.outcome == RIGHT or (part.verdict.outcome == BY_HAND and part.marks == part.of)
+            for part in self.parts
+        )
+        return answers and not any(line.verdict.outcome == WRONG for one in self.problems for line in one.lines)
 
     def outcomes(self) -> frozenset[str]:
         """The states that its answers are in."""

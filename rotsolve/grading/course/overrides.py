@@ -121,7 +121,8 @@ class OverrideReader:
         if not name and not number:
             self.fault("the row says no student", "", "write the name, or the number")
             return None
-        meant = [place for place, (student, _) in enumerate(self.students) if number and student.number == number]
+        same = Student("", number).identity(NUMBER)
+        meant = [place for place, (student, _) in enumerate(self.students) if same and student.identity(NUMBER) == same]
         if number and not meant:
             numbers = tuple(student.number for student, _ in self.students if student.number)
             self.fault(f"no student has the number {quoted(number)}", number, hint(number, numbers, "numbers"))

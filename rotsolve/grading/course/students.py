@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from msgspec import Struct
 
-IDENTITIES = ("number", "email", "login")  # what one student alone has, the surest first
+NUMBER = "number"
+IDENTITIES = (NUMBER, "email", "login")  # what one student alone has, the surest first
 
 
 class Student(Struct, frozen=True):
@@ -32,10 +34,15 @@ class Student(Struct, frozen=True):
     def same_identity(self, other: Student) -> bool | None:
         """Whether the surest mark that both have is the same; None where they share none."""
         for kind in IDENTITIES:
-            own, theirs = getattr(self, kind).casefold(), getattr(other, kind).casefold()
+            own, theirs = self.identity(kind), other.identity(kind)
             if own and theirs:
                 return bool(own == theirs)
         return None
+
+    def identity(self, kind: str) -> str:
+        """A number, address or name for the login as it is compared: spreadsheets drop the zeros that a number begins with."""
+        text: str = getattr(self, kind).casefold()
+        return (text.lstrip("0") or "0") if kind == NUMBER and text.isdecimal() else text
 
     def named_alike(self, other: Student) -> bool:
         """Whether the names can be those of one person: one may have words that the other leaves out."""
@@ -49,16 +56,24 @@ class Student(Struct, frozen=True):
 
 def names_apart(students: Sequence[tuple[Student, str]]) -> list[str]:
     """What each student is called, no two alike: the name, with the number or else the row where several have it."""
-    names = [student.called or row for student, row in students]
-    count: dict[str, int] = {}
-    for name in names:
-        count[name.casefold()] = count.get(name.casefold(), 0) + 1
-    found = []
-    for name, (student, row) in zip(names, students, strict=True):
-        sure = next(filter(None, (getattr(student, kind) for kind in IDENTITIES)), row)
-        found.append(f"{name} ({sure})" if count[name.casefold()] > 1 else name)
-    seen: dict[str, int] = {}
-    for label in found:
-        seen[label.casefold()] = seen.get(label.casefold(), 0) + 1
-    rows = [row for _, row in students]
-    return [f"{label}, {row}" if seen[label.casefold()] > 1 else label for label, row in zip(found, rows, strict=True)]
+    names = [name_and_identity(student, row) for student, row in students]
+    called = Counter(name.casefold() for name, _ in names)
+    alike = Counter((name.casefold(), sure.casefold()) for name, sure in names)
+    return [
+        name_apart((name, sure), row, called[name.casefold()], alike[name.casefold(), sure.casefold()])
+        for (name, sure), (_, row) in zip(names, students, strict=True)
+    ]
+
+
+def name_and_identity(student: Student, row: str) -> tuple[str, str]:
+    """What a student is called, and the surest that tells them from others; the row in the place of either."""
+    sure = next(filter(None, (getattr(student, kind) for kind in IDENTITIES)), row)
+    return student.called or row, sure
+
+
+def name_apart(name: tuple[str, str], row: str, called: int, alike: int) -> str:
+    """The name as it tells apart those that are called so, and those of them with the same number."""
+    if called == 1:
+        return name[0]
+    label = f"{name[0]} ({name[1]})"
+    return label if alike == 1 else f"{label}, {row}"

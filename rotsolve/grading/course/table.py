@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator, Sequence
-from itertools import islice
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, islice
+from pathlib import Path
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -64,6 +66,14 @@ class Entry(Struct, frozen=True):
         return f"line {self.line}"
 
 
+def varied_entry(entry: Entry, variant: int | None) -> Entry:
+    """The row; where it tells no variant, with this one."""
+    if entry.papers is None or entry.variant or variant is None:
+        return entry
+    papers = tuple(replace(paper, variant=str(variant)) for paper in entry.papers)
+    return replace(entry, papers=papers, variant=str(variant))
+
+
 class Handed(Struct, frozen=True):
     """All rows of a class with the columns that they have, and whether the file began with a byte order mark."""
 
@@ -75,52 +85,80 @@ class Handed(Struct, frozen=True):
 def read_table(text: str, file: str, sheet: SheetTask) -> Handed:
     """The class in a CSV; of a table that is none, what is wrong. A column may hold a component of what is asked."""
     plain = text.removeprefix(MARK)
-    lines = plain.split("\n")
-    start = next((number for number, line in enumerate(lines) if line.strip() and not TOLD.match(line)), None)
-    if start is None:
+    return gathered_class(*opened_table(iter(plain.split("\n")), file, sheet), file, plain is not text)
+
+
+def gathered_class(found: Columns, entries: Iterable[Entry], file: str, byte_order_mark: bool = False) -> Handed:
+    """All rows of a class at once, with what only shows when all are there."""
+    rows = list(islice(entries, ROWS + 1))
+    if len(rows) > ROWS:
+        help = "split the class, or have the marks alone: -o marks.csv"
+        raise HandedInError([Fault(f"the table has more than {ROWS} rows", None, help)], (), file)
+    return Handed(found, tuple(with_name_remarks(rows)), byte_order_mark)
+
+
+def opened_table(lines: Iterator[str], file: str, sheet: SheetTask) -> tuple[Columns, Iterator[Entry]]:
+    """The columns of a CSV, and its rows as they are asked for, of which no more than a few lines are held at a time."""
+    numbered = ((number, line) for number, line in enumerate(lines, 1) if line.strip() and not TOLD.match(line))
+    number, first = next(numbered, (0, ""))
+    if not number:
         raise file_error("the table is empty", "its first line names the columns", file)
-    header = first_row(lines, start)
-    found = read_columns(header, start + 1, file, sheet)
-    rows = (replace(entry, file=file) for entry in table_entries(lines, start + len(header), found, sheet))
-    entries = list(islice(rows, ROWS + 1))
-    if not entries:
+    ahead = [first, *islice(lines, HEADING - 1)]
+    header = first_row(ahead)
+    found = read_columns(header, number, file, sheet)
+    below = chain(ahead[len(header) :], lines)
+    return found, entries_of_file(table_entries(below, number + len(header), found, sheet), file)
+
+
+def entries_of_file(entries: Iterable[Entry], file: str) -> Iterator[Entry]:
+    """The rows with the file that they are of; there has to be one."""
+    entry = None
+    for entry in entries:
+        yield replace(entry, file=Path(file).name)
+    if entry is None:
         raise file_error("the table has no row below its first line", "", file)
-    if len(entries) > ROWS:
-        raise HandedInError([Fault(f"the table has more than {ROWS} rows", None, "split the class")], (), file)
-    return Handed(found, tuple(with_name_remarks(entries)), plain is not text)
 
 
-def first_row(lines: Sequence[str], start: int) -> Sequence[str]:
+def first_row(lines: Sequence[str]) -> Sequence[str]:
     """The lines of the first row, whose cells may hold line breaks within quotes."""
-    for end in range(start + 1, min(start + HEADING, len(lines)) + 1):
-        if "\n".join(lines[start:end]).count('"') % 2 == 0:
-            return lines[start:end]
-    return lines[start : start + 1]
+    for end in range(1, len(lines) + 1):
+        if "\n".join(lines[:end]).count('"') % 2 == 0:
+            return lines[:end]
+    return lines[:1]
 
 
-def table_entries(lines: Sequence[str], start: int, found: Columns, sheet: SheetTask) -> Iterator[Entry]:
-    """Row by row. A row that can't be read ends with its line, so that a quotation mark left open swallows no other."""
-    place = start
-    while place < len(lines):
-        if not lines[place].strip(" ,;\t"):
-            place += 1
-            continue
-        window = (f"{line}\n" for line in lines[place : place + HIGHEST])
-        reader = csv.reader(window, delimiter=found.separator, strict=True)
-        try:
-            cells = next(reader)
-            height = reader.line_num
-        except csv.Error as error:
-            cells = [
-                text.strip('" ') for text in lines[place][:HIGHEST].split(found.separator)
-            ]  # they may tell whose it is
-            known = student_of(cells, found.people)
-            yield Entry(place + 1, Student(known.name, known.number), None, (csv_complaint(error),))
-            height = 1
-        else:
-            if not (cells and cells[0].strip().lower().startswith(NO_STUDENT)):
-                yield row_entry(place + 1, cells, found, sheet)
-        place += height
+def table_entries(lines: Iterator[str], number: int, found: Columns, sheet: SheetTask) -> Iterator[Entry]:
+    """Row by row, from the line of that number on. A row that can't be read ends with its line, so that a quotation mark left open
+    swallows no other."""
+    ahead = deque(islice(lines, HIGHEST))
+    while ahead:
+        height = 1
+        if ahead[0].strip(" ,;\t"):
+            reader = csv.reader((f"{line}\n" for line in ahead), delimiter=found.separator, strict=True)
+            try:
+                cells = next(reader)
+                height = reader.line_num
+            except csv.Error as error:
+                yield unread_entry(number, ahead[0], error, found)
+            else:
+                if not tells_no_student(cells):
+                    yield row_entry(number, cells, found, sheet)
+        number += height
+        for _ in range(height):
+            ahead.popleft()
+        ahead.extend(islice(lines, height))
+
+
+def unread_entry(number: int, line: str, error: csv.Error, found: Columns) -> Entry:
+    """A row that can't be read; its cells may tell whose it is."""
+    cells = [text.strip('" ') for text in line[:HIGHEST].split(found.separator)]
+    known = student_of(cells, found.people)
+    return Entry(number, Student(known.name, known.number), None, (csv_complaint(error),))
+
+
+def tells_no_student(cells: Sequence[str]) -> bool:
+    """Whether a row is that of a gradebook which says how many marks there are."""
+    return bool(cells) and cells[0].strip().lower().startswith(NO_STUDENT)
 
 
 def csv_complaint(error: csv.Error) -> str:
@@ -214,8 +252,12 @@ def with_name_remarks(entries: Sequence[Entry]) -> Iterator[Entry]:
     for entry in entries:
         same = lines[entry.student.name.casefold()] if entry.student.name else []
         unlike = (line for line in same if line != entry.line and entry.student.same_identity(students[line]) is None)
-        others = [str(line) for line in islice(unlike, NAMED)]
-        if others:
-            said = f"the same name stands in {'lines' if len(others) > 1 else 'line'} {', '.join(others)}"
-            entry = replace(entry, remarks=(*entry.remarks, said))
-        yield entry
+        yield also_elsewhere(entry, "the same name", list(islice(unlike, NAMED)))
+
+
+def also_elsewhere(entry: Entry, what: str, lines: Sequence[int]) -> Entry:
+    """The entry, which says of something of its student that it stands in other lines too, where there are such."""
+    if not lines:
+        return entry
+    said = f"{what} stands in {'lines' if len(lines) > 1 else 'line'} {', '.join(map(str, lines))}"
+    return replace(entry, remarks=(*entry.remarks, said))

@@ -49,7 +49,17 @@ def test_the_commands_of_the_page_print_what_it_shows(
         told.append(words.split()[0])
     assert told == [
         *("winch.yaml", "key", "class.csv", "ada.txt", "check", "check", "check", "check"),
-        *("roll.yaml", "homework.yaml", "form.csv", "check", "late.csv", "check", "marked/overrides.csv", "check"),
+        *(
+            "roll.yaml",
+            "homework.yaml",
+            "form.csv",
+            "check",
+            "late.csv",
+            "check",
+            "marked/overrides.csv",
+            "check",
+            "check",
+        ),
     ]
     if regenerate:
         PAGE.write_text(text, encoding="utf-8")

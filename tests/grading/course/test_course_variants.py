@@ -155,7 +155,9 @@ def test_a_seed_that_can_not_be_that_of_the_sheets_is_pointed_out(command: Comma
     rows = "".join(f"S{number},{number},{number + 50}.5 m/s²\n" for number in range(1, 6))
     Path("class.csv").write_text(f"name,variant,a\n{rows}", encoding="utf-8")
     ran = command("class.csv", "--variants", "30", "--seed", "7", "-o", "report")
-    assert "No paper with a variant has a right number: is 7 the seed of the sheets?" in ran.out
+    assert (
+        "None of the answers with numbers in papers with a variant have marks: is 7 the seed of the sheets?" in ran.out
+    )
 
 
 def test_a_right_answer_behind_another_value_is_to_be_looked_at(command: Command) -> None:

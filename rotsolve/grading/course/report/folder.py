@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from io import StringIO
 from pathlib import Path
 
 from rotsolve.grading.course.marked import UNMARKED
 from rotsolve.grading.course.overrides import OVERRIDES, empty_overrides
+from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, canvas_table, moodle_table
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.student import StudentPage, marks_text
@@ -24,6 +25,7 @@ from rotsolve.page.text import plain_text
 from rotsolve.run.delivery import harmless, write_file
 
 STUDENTS, SUMMARY, MARKS = "students", "summary", "marks.csv"
+HEAD = ("line", "student", "number", "variant")  # the columns that a row of marks begins with
 ENDINGS = "|".join(re.escape(item.suffixes[0]) for item in FORMATS.values())
 # of students, and what was not written to its end
 PAGES = re.compile(rf"\d{{4,}}(-.*)?({ENDINGS})|\.\d{{4,}}.*\.\d+\.new")
@@ -84,29 +86,42 @@ def file_name(number: int, result: Result) -> str:
 
 
 def marks_table(course: MarkedClass) -> str:
-    """A row a student: outcome and marks of each answer, on a sheet the marks of each problem, the sum, and all that is said of them."""
+    """A row a student, with the file that it is of where there are several."""
     text = StringIO()
-    separator = course.columns.separator
+    separator, several = course.columns.separator, len(course.files) > 1
     writer = csv.writer(text, delimiter=separator, lineterminator="\n")
-    answers = [
-        cell for asked in course.task.asked() for cell in (f"{course.task.key(asked)} verdict", course.task.key(asked))
-    ]
-    problems = [f"problem {task.number}" for task in course.task.tasks] if course.task.is_sheet else []
-    file = ["file"] if len(course.files) > 1 else []
-    writer.writerow([*file, "line", "student", "number", "variant", *answers, *problems, "marks", "of", "remarks"])
+    writer.writerow([*(["file"] if several else []), *marks_columns(course.task)])
     for result in course.results:
-        called = result.name if result.student.called else ""
-        whose = [str(result.entry.line), called, result.student.number, result.variant]
-        head = [result.entry.file, *whose] if file else whose
-        numbers = [cell.replace(".", POINT.get(separator, ".")) for cell in outcomes_and_marks(course, result)]
-        writer.writerow([*map(one_line, head), *numbers, one_line(all_remarks(course, result))])
+        file = [one_line(result.entry.file)] if several else []
+        writer.writerow([*file, *spreadsheet_row(marks_row(course.task, result), separator)])
     return byte_order(course) + text.getvalue()
 
 
-def outcomes_and_marks(course: MarkedClass, result: Result) -> list[str]:
+def marks_columns(task: SheetTask) -> list[str]:
+    """What the columns of a table of marks are called."""
+    answers = [cell for asked in task.asked() for cell in (f"{task.key(asked)} verdict", task.key(asked))]
+    problems = [f"problem {one.number}" for one in task.tasks] if task.is_sheet else []
+    return [*HEAD, *answers, *problems, "marks", "of", "remarks"]
+
+
+def marks_row(task: SheetTask, result: Result) -> list[str]:
+    """Whose row it is, outcome and marks of each answer, on a sheet the marks of each problem, the sum, and all that is said of them."""
+    called = result.name if result.student.called else ""
+    whose = [str(result.entry.line), called, result.student.number, result.variant]
+    return [*whose, *outcomes_and_marks(task, result), all_remarks(task, result)]
+
+
+def spreadsheet_row(row: Sequence[str], separator: str) -> list[str]:
+    """A row of marks as a spreadsheet reads it whose cells are separated so."""
+    point = POINT.get(separator, ".")
+    numbers = (cell.replace(".", point) for cell in row[len(HEAD) : -1])
+    return [*map(one_line, row[: len(HEAD)]), *numbers, one_line(row[-1])]
+
+
+def outcomes_and_marks(task: SheetTask, result: Result) -> list[str]:
     """Outcome and marks of each answer, marks of each problem, the sum, and how many there are; no number where nothing was marked."""
     sheet = result.sheet
-    numbers = [marks_text(one.marks) for one in sheet.problems] if course.task.is_sheet else []
+    numbers = [marks_text(one.marks) for one in sheet.problems] if task.is_sheet else []
     cells = [cell for part in sheet.parts for cell in (part.verdict.outcome, marks_text(part.marks))]
     if not result.is_marked:
         outcomes = [cell for part in sheet.parts for cell in (part.verdict.outcome, "")]
@@ -114,12 +129,12 @@ def outcomes_and_marks(course: MarkedClass, result: Result) -> list[str]:
     return [*cells, *numbers, marks_text(sheet.marks), marks_text(sheet.of)]
 
 
-def all_remarks(course: MarkedClass, result: Result) -> str:
+def all_remarks(task: SheetTask, result: Result) -> str:
     """What is to be said of the row, then of each answer."""
-    sentences = [*result.entry.remarks, *map(plain_text, result.unmarked(course.task))]
-    for asked, part in zip(course.task.asked(), result.sheet.parts, strict=True):
+    sentences = [*result.entry.remarks, *map(plain_text, result.unmarked(task))]
+    for asked, part in zip(task.asked(), result.sheet.parts, strict=True):
         told = [remark for remark in part.verdict.remarks if remark.kind not in ASIDE]
-        sentences += [f"{course.task.key(asked)}: {plain_text(remark.words)}" for remark in told]
+        sentences += [f"{task.key(asked)}: {plain_text(remark.words)}" for remark in told]
     return "; ".join(sentences)
 
 

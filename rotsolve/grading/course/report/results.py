@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from msgspec import Struct
@@ -11,7 +11,8 @@ from rotsolve.core.derivation import Words
 from rotsolve.grading.course.columns import Columns
 from rotsolve.grading.course.marked import UNMARKED, MarkedSheet
 from rotsolve.grading.course.overrides import Override
-from rotsolve.grading.course.questions import SheetTask
+from rotsolve.grading.course.questions import Asked, SheetTask
+from rotsolve.grading.course.report.tally import Tally
 from rotsolve.grading.course.students import Student
 from rotsolve.grading.course.table import Entry
 from rotsolve.grading.verdict import NOT_MARKED, JudgedPart
@@ -54,6 +55,14 @@ class Result(Struct, frozen=True):
         return self.sheet.parts[place]
 
 
+def tally_of(results: Iterable[Result]) -> Tally:
+    """What the head of a summary says of students."""
+    tally = Tally()
+    for result in results:
+        tally.count(result.name, result.variant, result.sheet if result.is_marked else None)
+    return tally
+
+
 class MarkedClass(Struct, frozen=True):
     """A class: what was asked, the columns of its table, and its students; the seed of the variants where there are such."""
 
@@ -68,6 +77,17 @@ class MarkedClass(Struct, frozen=True):
     def papers(self) -> list[MarkedSheet]:
         """The papers that could be marked."""
         return [result.sheet for result in self.results if result.is_marked]
+
+    @property
+    def held(self) -> set[Asked]:
+        """The answers that this table, or one before, has columns of."""
+        papers = (paper for result in self.results for paper in enumerate(result.entry.papers or ()))
+        return self.columns.held(self.task) | {(place, name) for place, paper in papers for name in paper.answers}
+
+    @property
+    def tally(self) -> Tally:
+        """How many papers there are of which kind."""
+        return tally_of(self.results)
 
     @property
     def parts(self) -> Sequence[JudgedPart]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from statistics import mean, median
+from statistics import mean
 from typing import Any
 
 from rotsolve.core.derivation import Words
@@ -14,6 +14,7 @@ from rotsolve.grading.course.analysis import FEW, complete_papers, part_figures
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.student import marked_data, marks_of, marks_text, printable_words, title_data
+from rotsolve.grading.course.report.tally import about_columns, doubtful_variants, overview
 from rotsolve.grading.verdict import NO_ANSWER, NOT_MARKED, OUTCOMES, PARTLY, RIGHT, UNDECIDED, WRONG, JudgedPart
 from rotsolve.page.bars import Bars, LabelledBar
 from rotsolve.page.blocks import Page, PageBlock, Paragraph, Table, Title
@@ -30,8 +31,6 @@ LEGEND = (
 CLASSES = 10  # of the distribution
 COMMONEST = 20
 NO_MISTAKES = ("followed", "comma", "chain", "numbers")  # kinds of remarks that tell of no mistake of their own
-NAMED = 10  # papers that are named in one sentence
-TELLING = 3  # papers of which none having a right number may be chance
 
 
 class SummaryPage(Page, frozen=True):
@@ -43,7 +42,7 @@ class SummaryPage(Page, frozen=True):
     def blocks(self) -> Iterator[PageBlock]:
         course = self.course
         sections = (
-            ("", overview(course)),
+            ("", overview(course.tally, course.seed)),
             ("Distribution", distribution(course.papers)),
             ("Answers, by how often they went wrong", answers_by_failures(course)),
             ("Analysis", analysed(course)),
@@ -83,23 +82,6 @@ def printable_block(block: PageBlock) -> PageBlock:
         rows = tuple(tuple(printable_words(cell) for cell in row) for row in block.rows)
         return Table(tuple(map(printable, block.columns)), rows, block.targets)
     return block
-
-
-def overview(course: MarkedClass) -> Iterator[Paragraph]:
-    """How many papers there are, and their marks in a sentence."""
-    papers = course.papers
-    total, left = len(course.results), len(course.results) - len(papers)
-    without = f", {left} of them not marked" if left else ""
-    yield Paragraph((f"{total} {'paper' if total == 1 else 'papers'}{without}.",))
-    if papers:
-        marks = [paper.marks for paper in papers]
-        best, most = max(marks), papers[0].of
-        figures = f"mean {marks_text(mean(marks))}, median {marks_text(Fraction(median(marks)))}"
-        full = sum(paper.marks >= paper.of for paper in papers)
-        said = f"Of {marks_text(most)} marks: {figures}, best {marks_text(best)}; {full} with full marks."
-        yield Paragraph((said,))
-    if any(result.variant for result in course.results) and course.seed is not None:
-        yield Paragraph((f"Variants by seed {course.seed}.",))
 
 
 def distribution(papers: Sequence[MarkedSheet]) -> Iterator[Bars]:
@@ -209,41 +191,14 @@ def commonest_mistakes(course: MarkedClass) -> Iterator[Table | Paragraph]:
 def to_be_looked_at(course: MarkedClass) -> Iterator[Paragraph | Table]:
     """Columns without use, answers without a column, rows with something odd, and answers that could not be decided."""
     yield from (Paragraph((said,)) for said in course.merged)
-    yield from without_column(course)
+    yield from about_columns(course.task, course.columns, course.held)
     if course.columns.unused:
         yield Paragraph((f"Columns that were not used: {', '.join(course.columns.unused)}.",))
-    yield from doubtful_variants(course)
+    yield from doubtful_variants(course.tally, course.seed)
     odd = ((result, words) for result in course.results for words in oddities(course, result))
     rows = [((course.row(result),), (result.name,), words) for result, words in odd]
     if rows:
         yield Table(("line", "student", "what"), tuple(rows))
-
-
-def without_column(course: MarkedClass) -> Iterator[Paragraph]:
-    """Answers that no column holds, of this table or of one before."""
-    whole = {(place, course.task.tasks[place].parts.get(name, name)) for place, name in course.columns.answers}
-    papers = (paper for result in course.results for paper in enumerate(result.entry.papers or ()))
-    whole |= {(place, name) for place, paper in papers for name in paper.answers}
-    absent = [course.task.key(asked) for asked in course.task.asked() if asked not in whole]
-    if absent:
-        yield Paragraph((f"No column is named {', '.join(absent)}.",))
-
-
-def doubtful_variants(course: MarkedClass) -> Iterator[Paragraph]:
-    """Papers of a problem with variants that tell none, and a seed that can not be that of the sheets."""
-    if course.seed is None:
-        return
-    marked = [result for result in course.results if result.is_marked]
-    without = [result.name for result in marked if not result.variant]
-    if without:
-        named = f"{', '.join(without[:NAMED])}{', …' if len(without) > NAMED else ''}"
-        some = len(without) < len(marked)
-        whose = f"Papers that tell no variant: {named}" if some else "No paper tells its variant"
-        yield Paragraph((f"{whose}. They were marked with the numbers of the problem itself.",))
-    papers = [result.sheet for result in marked if result.variant]
-    numbers = [part for paper in papers for part in paper.parts if any(char.isdigit() for char in part.text)]
-    if len(papers) >= TELLING and numbers and not any(part.marks for part in numbers):
-        yield Paragraph((f"No paper with a variant has a right number: is {course.seed} the seed of the sheets?",))
 
 
 def oddities(course: MarkedClass, result: Result) -> Iterator[Words]:
