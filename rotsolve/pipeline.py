@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import refuse_digits, witnessed
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.effort import Exhausted, at_most
+from rotsolve.algebra.effort import Exhausted, at_most, rarely_collecting
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.algebra.units.quantities import parse_quantity
@@ -84,11 +84,12 @@ def solve_problem(
     refuse_digits(digits)
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
-    solution = refused_fairly(problem, law, digits, at)
-    again = partial(solve_problem, problem, law=law, digits=digits, at=at, confirm=confirm)
-    trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
-    solution = replace(solution, trace=trace)
-    return held_against_assembly(solution, problem) if confirm else solution
+    with rarely_collecting():
+        solution = refused_fairly(problem, law, digits, at)
+        again = partial(solve_problem, problem, law=law, digits=digits, at=at, confirm=confirm)
+        trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
+        solution = replace(solution, trace=trace)
+        return held_against_assembly(solution, problem) if confirm else solution
 
 
 def solved_anew(

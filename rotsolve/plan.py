@@ -88,8 +88,8 @@ class Planner:
 
     def unknowns(self, known: Collection[str], indices: Iterable[int]) -> dict[int, tuple[str, ...]]:
         """What equations hold that is not known."""
-        given = frozenset(known)
-        return {index: tuple(sorted(self.symbols[index] - given)) for index in indices}
+        given, symbols = frozenset(known), self.symbols
+        return {index: tuple(sorted(symbols[index] - given)) for index in indices}
 
     def cheapest(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
         """The cheapest plan for `asked` with some equations, of which the unknowns are told; None where there is none."""
