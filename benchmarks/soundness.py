@@ -56,11 +56,12 @@ MEANING = {
 }
 
 
-def smallest(scene: Scene, verdict: str) -> Scene:
-    """The scene without what can be left out while its verdict stays."""
+def smallest(scene: Scene, verdict: str, why: str) -> Scene:
+    """The scene without what can be left out while its verdict stays, with the same reason."""
 
     def same(other: Scene) -> bool:
-        return judged(other, outcome(written(other), 7), random.Random(0))[0] == verdict
+        found, reason = judged(other, outcome(written(other), 7), random.Random(0))
+        return found == verdict and plain(reason) == plain(why)
 
     return shrunk(scene, same) if verdict in (SAID, BROKEN) else scene
 
@@ -72,7 +73,7 @@ def report(options: argparse.Namespace, result: Result, verdict: str) -> None:
     options.failures.mkdir(parents=True, exist_ok=True)
     drawn = space.drawn if options.space else compose.drawn
     scene = read(result.text) if result.text else drawn(options.seed, result.number)[1]
-    text = written(smallest(scene, verdict))
+    text = written(smallest(scene, verdict, why))
     head = "".join(f"# {line}\n" for line in (verdict, *why.splitlines()))
     file = options.failures / f"{verdict.split()[-1]}-{options.seed}-{result.number}.yaml"
     file.write_text(head + text, encoding="utf-8")
@@ -92,7 +93,7 @@ def table(counts: Counter[str], reasons: Counter[str]) -> str:
 
 def plain(reason: str) -> str:
     """A reason without the names and numbers of its scene."""
-    words = reason.splitlines()[0].removeprefix("error: ").split("`")
+    words = (reason.splitlines() or [""])[0].removeprefix("error: ").split("`")
     return "…".join(words[::2]).split(": ")[0]
 
 
