@@ -359,6 +359,8 @@ class Search(Struct, dict=True):
         stone = stones.in_closed_form(failed.met)
         if stone is None and stones.clashes and not failed.open_form:
             raise NoAnswer("the data contradict each other", None, stones.clashes[0]) from None
+        if not stones.asked_for:  # what follows from a rate might be told by another root than that of the rate
+            stone = stone or stones.by_number()
         if stone is None and failed.open_form:
             try:
                 return *self._attempt_by_number(asked), own

@@ -20,11 +20,13 @@ RANKS = {
 
 
 class Stones:
-    """The letters on the way to one question, tried in turn; `clashes` are the laws by which one has no value."""
+    """The letters on the way to one question, tried in turn; `clashes` are the laws by which one has no value, `asked_for` says whether the
+    question is for such a letter itself."""
 
     def __init__(self, search: Search, asked: Asked) -> None:
         assert search.ground is not None
         self.search, self.asked, self.ground = search, asked, search.ground
+        self.asked_for = is_key(asked.letter) and key_of(asked.letter).kind in RANKS
         self.clashes: list[int] = []
         self.numbered: list[str] = []  # those of which numbers may tell the root
 
@@ -45,7 +47,7 @@ class Stones:
         try:
             other.step(stone)
         except NoAnswer as error:
-            self.numbered += [stone] if error.open_form else []
+            self.numbered += [stone] if error.open_form and key_of(stone).kind in RANKS else []
             self._note_clash(error, other)
             return False
         except ValueError:
