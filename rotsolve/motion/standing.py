@@ -332,7 +332,8 @@ class Standing(Struct, frozen=True, dict=True):
         if self._asks_within(carried) and configuration.pivot(name, self.state) is None:
             return configuration.can_turn(name, self.state)
         terms = [term for find in configuration.problem.finds for term in find.terms]
-        paths = [term.path for term in terms if term.path.owner in carried and self._turns_with(term.path, name)]
+        turning = [term for term in terms if term.path.owner in carried and self._turns_with(term.path, name)]
+        paths = [term.path for term in turning]
         asked = [PointRef(path.owner, path.point, path.argument) for path in paths]
         whose = (*carried, "")  # all together have an angular momentum about a point too
         asked += [
@@ -343,7 +344,7 @@ class Standing(Struct, frozen=True, dict=True):
             for state in configuration.timeline.states
             for item in carried
         )
-        told |= self._time_passes() and any(path.component is not None for path in paths)
+        told |= self._time_passes() and any(term.path.component or term.modifier == "mean" for term in turning)
         if self._asks_of_joint(name, carried):
             return True
         unknown = self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told
