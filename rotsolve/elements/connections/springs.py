@@ -12,7 +12,7 @@ from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, squar
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between, rightward
-from rotsolve.elements.shapes import fixed_in, shape_of
+from rotsolve.elements.shapes import shape_of, taken_round
 from rotsolve.language.bodies import Body, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -65,9 +65,7 @@ class Spring(Connection, frozen=True):
         return "position"
 
     def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
-        what = configuration.bodies
-        places = (fixed_in(ref, what[ref.owner]) for ref in self.spring if ref.owner in what)
-        return tuple(configuration.host(ref.owner, state) for ref in places if configuration.swings_round(ref, state))
+        return taken_round(self.spring, configuration, state)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         first, second = self.ends(instant)
