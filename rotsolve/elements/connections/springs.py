@@ -161,7 +161,7 @@ class Torsion(Connection, frozen=True):
         "points", "the body, or two bodies", count=(1, 2), required=True, example="disc"
     )
     stiffness: Formula | None = amount("torque per angle", "torsional stiffness", "kappa", "positive", default=None)
-    rest_angle: Formula | None = amount("angle without torque", "angle", "theta", default=None)
+    rest_angle: Formula | None = amount("angle without torque, 0 where none is told", "angle", "theta", default=None)
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """It always has a stiffness; that of an ordinary spring may be told by its force."""
