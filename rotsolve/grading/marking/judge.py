@@ -12,6 +12,7 @@ from rotsolve.algebra.units.dimension import NONE
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion
+from rotsolve.grading.comparing.formulas import NUMBERS_ALONE
 from rotsolve.grading.comparing.numbers import Typed, measured_unit
 from rotsolve.grading.comparing.readings import COMPONENT
 from rotsolve.grading.comparing.scalars import lacking_unit
@@ -83,6 +84,8 @@ class Judge:
         one = self._judged(target, text)
         if one.reading is None and defined:
             one = self._judged(target, text, defined)
+        if any(remark.kind == NUMBERS_ALONE for remark in one.finding.remarks):
+            return self._by_numbers(target, text), False
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
         followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
@@ -96,6 +99,17 @@ class Judge:
     def _judged(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
         """What is found in a text by itself, in all cases of its answer."""
         return self.cases.judged(target, text, defined) or self.texts.judged(target, text, defined)
+
+    @remembered
+    def _by_numbers(self, target: Target, text: str) -> JudgedText:
+        """A formula that is right for the scene's own numbers alone; wrong where it is what a usual mistake makes of the answer in letters."""
+        one = self._judged(target, text)
+        assert one.reading is not None
+        formula, asked = one.reading.formula, target.whole
+        if formula is None or asked is None:
+            return one
+        mistaken = self.explaining.mistake_in_letters(target.name, self.letters.meant(formula), asked)
+        return one if mistaken is None else replace(one, finding=mistaken)
 
     @remembered
     def _follow(self, target: Target, text: str, wrong: tuple[tuple[str, str], ...]) -> JudgedText | None:

@@ -20,6 +20,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, Symbol, negat
 from rotsolve.algebra.notation.letters import spellings
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.core.remembered import remembered
+from rotsolve.grading.comparing.formulas import NUMBERS_ALONE, letters_put_in, worth_the_same
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
@@ -38,6 +39,7 @@ from rotsolve.grading.verdict import (
     Verdict,
     all_findings,
     found,
+    listed_letters,
 )
 from rotsolve.language.marks import ALL, marking_of
 
@@ -186,9 +188,9 @@ class WorkingJudge:
             finding = self.statement(self.turned(left, context), self.turned(right, context), text)
             letters = tuple(remark for remark in reading.remarks if remark.kind == "letter")
             finding = replace(finding, remarks=(*finding.remarks, *letters)) if letters else finding
-            if finding.right:
+            if finding.right and not by_numbers_alone(finding):
                 return finding
-            first = first or finding
+            first = finding if first is None or (by_numbers_alone(finding) and first.outcome == WRONG) else first
         assert first is not None
         return first
 
@@ -223,6 +225,7 @@ class WorkingJudge:
             (None if unitless else self.misfit(left, right))
             or self.sign(left, right)
             or self.mistake(left, right)
+            or self.by_numbers(left, right)
             or Finding(WRONG)
         )
 
@@ -292,6 +295,20 @@ class WorkingJudge:
 
     # what is wrong
 
+    def by_numbers(self, left: Formula, right: Formula) -> Finding | None:
+        """The finding for a line that holds for the scene's own numbers alone: a = g/2 where M = 2 m. One in which nothing was put in that
+        shows, as m g = M a or T = m a, may be another law that holds by chance: nothing is decided."""
+        sides, values = [self.told(side) for side in (left, right)], self.letters.values
+        if not worth_the_same(sides[0], sides[1], values):
+            return None
+        names = left.symbols() | right.symbols()
+        unknown, lacks = names - self.letters.givens, sides[0].symbols() ^ sides[1].symbols()
+        put = letters_put_in(sides[0], sides[1], lacks, values, self.same)
+        solved = any(isinstance(side, Symbol) for side in (left, right)) or not names.issuperset(put)
+        if len(unknown) > 1 or (unknown and not solved):
+            return found(UNDECIDED, NUMBERS_ALONE, "it holds for the numbers of the scene, not in letters")
+        return found(RIGHT, NUMBERS_ALONE, "right with the number of ", *listed_letters(put), " put in")
+
     def misfit(self, left: Formula, right: Formula) -> Finding | None:
         """Sides that measure different things; None where they do not, or where that is not known."""
         known = self.dimensions(left.symbols() | right.symbols())
@@ -348,6 +365,11 @@ def equations_of(text: str) -> Iterator[tuple[str, int]]:
         return
     for (start, _), (_, end) in pairwise(pieces):
         yield text[start:end], start
+
+
+def by_numbers_alone(finding: Finding) -> bool:
+    """Whether a line was found to hold for the scene's own numbers only."""
+    return any(remark.kind == NUMBERS_ALONE for remark in finding.remarks)
 
 
 def one_is_a_number(left: Formula, right: Formula) -> bool:
