@@ -18,8 +18,16 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
 from rotsolve.algebra.units.dimension import DimensionError, describe, dimension_of
 from rotsolve.grading.comparing.numbers import Typed, certified_number
-from rotsolve.grading.comparing.scalars import Same, Scalar, lacking_unit, right_but_for_sign, turns_round, value_judged
-from rotsolve.grading.comparing.signs import points_other_way
+from rotsolve.grading.comparing.scalars import (
+    Same,
+    Scalar,
+    lacking_unit,
+    pointing_judged,
+    right_but_for_sign,
+    turned_by,
+    turns_round,
+    value_judged,
+)
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, found, listed_letters
 from rotsolve.language import marks
 
@@ -123,9 +131,10 @@ def formula_judged(formula: Formula, direction: str, asked: Scalar, *, measured:
     that this is what is asked for."""
     if not (direction and asked.direction):
         return undirected_judged(formula, asked, measured)
-    turned = points_other_way(direction, asked.direction)
-    if turned is None:
-        return found(WRONG, "direction", f"it points another way: {asked.direction}")
+    other = pointing_judged(direction, asked)
+    if other is not None:
+        return other
+    turned = turned_by(direction, asked)
     number = certified_number(formula, asked.values)
     if number is not None and asked.value is not None and turns_round(number.float < 0, asked.value, turned):
         formula = -formula

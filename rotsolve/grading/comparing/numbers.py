@@ -165,9 +165,7 @@ def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool =
     if typed.is_hertz and dimension.angle:
         return Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",))
     if turns and typed.dimension == ANGLE:
-        if typed.counts_turns:
-            return ONE_UNIT
-        return Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",))
+        return ONE_UNIT if typed.counts_turns else typed.of_turns
     return typed
 
 

@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, ro
 from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import NONE, Dimension
+from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
@@ -25,7 +25,7 @@ from rotsolve.grading.comparing.numbers import (
     rounds_to,
     within_tolerance,
 )
-from rotsolve.grading.comparing.signs import points_other_way
+from rotsolve.grading.comparing.signs import along, is_unclear, points_other_way
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language import marks
 from rotsolve.language.marks import Marking
@@ -88,7 +88,11 @@ def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     meant = measured_unit(typed.unit, asked.unit, asked.dimension, asked.turns)
     if isinstance(meant, Remark):
         return Finding(WRONG, (meant,))
-    return value_judged(typed, meant, direction, asked) or slip(typed, meant, asked)
+    finding = value_judged(typed, meant, direction, asked) or slip(typed, meant, asked)
+    if asked.turns and finding.right and typed.unit.dimension == ANGLE and not typed.unit.counts_turns:
+        said = Remark("unit", (f"a number of turns is asked for: the angle in {typed.unit.text} is taken as one",))
+        return Finding(finding.outcome, (*finding.remarks, said), finding.flaws)
+    return finding
 
 
 def unitless_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
@@ -114,9 +118,10 @@ def lacking_unit(finding: Finding, unit: Unit, asked: Scalar) -> Finding:
 def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Finding | None:
     """The finding where the number is within the tolerance, perhaps with the other sign, or where that can't be told; else None."""
     value = asked.in_unit(unit)
-    turned = points_other_way(direction, asked.direction) if direction and asked.direction else False
-    if turned is None:
-        return found(WRONG, "direction", f"it points another way: {asked.direction}")
+    other = pointing_judged(direction, asked)
+    if other is not None:
+        return other
+    turned = turned_by(direction, asked)
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
     holds = within_tolerance(signed, value, asked.marking.tolerance, unit)
     if holds is None and is_same_number(signed, unit, asked):
@@ -130,6 +135,28 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
         return right_but_for_sign(asked)
     return None
+
+
+def turned_by(direction: str, asked: Scalar) -> bool:
+    """Whether words behind an answer tell the direction other than the one that is sought."""
+    return bool(direction and asked.direction and points_other_way(along(direction, asked.positive), asked.direction))
+
+
+def pointing_judged(direction: str, asked: Scalar) -> Finding | None:
+    """The finding where words tell neither the direction that is sought nor the other; None where they tell one, or nothing is sought.
+
+    Backwards is against the declared positive direction. Where that is not how it was meant, as along a motion that has turned round,
+    nothing is decided; nor is it where a word may say the same in another way, left for counterclockwise round a loop.
+    """
+    if not (direction and asked.direction):
+        return None
+    meant = along(direction, asked.positive)
+    turned = points_other_way(meant, asked.direction)
+    if turned is False or (turned and meant == direction):
+        return None
+    if turned or is_unclear(meant, asked.direction):
+        return found(UNDECIDED, "direction", f"can't tell whether {direction} is the same as {asked.direction}")
+    return found(WRONG, "direction", f"it points another way: {asked.direction}")
 
 
 def right_but_for_sign(asked: Scalar) -> Finding:

@@ -23,6 +23,8 @@ SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SYNONYMS}, key=len)), re.IGNORE
 BESIDE = re.compile(
     r"\b(?:i\.e\.|to the|towards the|straight|vertically|horizontally|directed|pointing|turning it|turning|and|along)(?=\W|$)|,"
 )
+ALONG = {"forward": 1, "back": -1}  # words that are told by a motion
+TURNING = frozenset(("clockwise", "counterclockwise"))
 WHERE = re.compile(r"\b(?:(?:round|around|on|in|of|about)\s+)?(?:the|a|an)\s+\w+")
 
 
@@ -55,3 +57,20 @@ def points_other_way(typed: str, sought: str) -> bool | None:
     """Whether a direction is the other way round, None where it is neither this nor the same."""
     own, wanted = plain_directions(typed), plain_directions(sought)
     return False if own == wanted else True if own == frozenset(OPPOSITE.get(word, word) for word in wanted) else None
+
+
+def along(typed: str, positive: str) -> str:
+    """Words for a direction in which forwards is the declared positive one, and backwards the other; as they are where none is declared."""
+    way = next((ALONG[word] for word in plain_directions(typed) if word in ALONG), 0)
+    declared = plain_directions(positive)
+    if not way or len(declared) != 1 or not declared <= OPPOSITE.keys() - ALONG:
+        return typed
+    (word,) = declared
+    return word if way > 0 else OPPOSITE[word]
+
+
+def is_unclear(typed: str, sought: str) -> bool:
+    """Whether words may or may not say a direction that is told in others: forwards, left round a loop, right down a slope."""
+    own, wanted = plain_directions(typed), plain_directions(sought)
+    turning = own.isdisjoint(TURNING) != wanted.isdisjoint(TURNING)
+    return turning or not own.isdisjoint(ALONG) or WHERE.search(sought) is not None

@@ -228,7 +228,6 @@ class Explaining:
                 return mistake_finding(mistake)
         return None
 
-
     def mistake_in_letters(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """The mistake or the sign with which a formula is the answer whatever numbers its letters have; None where there is none."""
         for mistake, answers in self.wrong_answers:

@@ -102,7 +102,7 @@ class Judge:
 
     @remembered
     def _by_numbers(self, target: Target, text: str) -> JudgedText:
-        """A formula that is right for the scene's own numbers alone; wrong where it is what a usual mistake makes of the answer in letters."""
+        """A formula that is right for the scene's own numbers alone; wrong where a usual mistake makes it of the answer."""
         one = self._judged(target, text)
         assert one.reading is not None
         formula, asked = one.reading.formula, target.whole

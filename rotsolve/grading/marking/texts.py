@@ -15,10 +15,11 @@ from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
 from rotsolve.grading.comparing.numbers import Typed, certified_number, rounds_to
 from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
-from rotsolve.grading.comparing.scalars import Close, Same
-from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
+from rotsolve.grading.comparing.scalars import Close, Same, pointing_judged, turned_by
+from rotsolve.grading.comparing.signs import cut_direction, is_direction
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.choices import options_named, plain_words
 from rotsolve.grading.reading.definitions import Definitions, clause
 from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
@@ -82,7 +83,8 @@ class Texts:
         if NOTHING.fullmatch(text):
             return JudgedText(None, found(WRONG, EMPTY, "not answered"))
         if target.word:
-            return JudgedText(None, word_judged(text, target))
+            bodies = nouns_for(*(body.name for body in self.letters.problem.bodies))
+            return JudgedText(None, word_judged(text, target, self.names(target).nouns | bodies))
         if is_direction(without_letter(text)):
             return JudgedText(None, direction_judged(without_letter(text), target))
         if target.parts and self._names_components(target, text):
@@ -368,14 +370,15 @@ def without_letter(text: str) -> str:
     return text.rpartition("=")[2].strip()
 
 
-def word_judged(text: str, target: Target) -> Finding:
+def word_judged(text: str, target: Target, nouns: frozenset[str]) -> Finding:
     """The finding for a label, or several in any order."""
-    typed, wanted = (set(map(folded, words.split(","))) for words in (without_letter(text), target.word))
-    if typed == wanted or folded(text) == folded(target.word):
+    if plain_words(text) == plain_words(target.word):
         return Finding(RIGHT)
-    if typed <= set(map(folded, (*target.options, "none"))):
-        return Finding(WRONG)
-    return found(WRONG, "reading", f"choose from: {', '.join(target.options)}")
+    wanted = options_named(target.word, target.options)
+    typed = options_named(without_letter(text), target.options, nouns)
+    if typed is None:
+        return found(UNDECIDED, "reading", f"choose from: {', '.join(target.options)}")
+    return Finding(RIGHT if typed == wanted else WRONG)
 
 
 def direction_judged(text: str, target: Target) -> Finding:
@@ -383,12 +386,11 @@ def direction_judged(text: str, target: Target) -> Finding:
     direction = "" if target.whole is None else target.whole.direction
     if not direction:
         return found(WRONG, "form", "words are no answer here")
-    if points_other_way(text, direction) is not False:
+    other = pointing_judged(text, target.whole)
+    if other is not None or target.whole is None:
+        return other or found(WRONG, "form", "words are no answer here")
+    if turned_by(text, target.whole):
         return found(WRONG, "direction", f"it points another way: {direction}")
     if target.directional:
         return Finding(RIGHT)
     return found(WRONG, "form", "the direction is right; its size is asked for")
-
-
-def folded(words: str) -> str:
-    return " ".join(words.lower().split())

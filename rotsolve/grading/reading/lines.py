@@ -25,6 +25,10 @@ _TRANSPOSED = re.compile(
 )
 _ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
 _IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|(?<=\s)is\b)(?=\s*\S)")
+_SIGNED = r"[-+−]?\d+(?:[.,]\d+)?"
+_SPACED = re.compile(rf"[\[(](?P<numbers>\s*{_SIGNED}(?:\s+{_SIGNED})+\s*)[\])]")
+_BARRED = re.compile(r"[\[(](?P<parts>[^|;()\[\]]*(?:\|[^|;()\[\]]+)+)[\])]")
+_JUST_NAMED = re.compile(r"\s*([^\W\d_]\w*)\s(?=\s*[-+−]?[\d.])")  # a 2.96 m/s²
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
 _PER = re.compile(  # metres per second squared
     r"(?<=[A-Za-z²³Å\d])(?P<blank>\s+)(?P<word>per|pro|je|squared|cubed|zum [Qq]uadrat|hoch zwei|hoch drei)\b"
@@ -85,6 +89,10 @@ def without_asides(text: str, names: Names) -> str:
     text = _ERROR.sub(lambda match: blanks(match[0]), text)
     if "," in text or ";" in text or "&" in text:
         text = _TRANSPOSED.sub(lambda match: blanks(match[0]), text)
+    if names.components > 1:
+        text = with_parting_marks(text, names.components)
+    elif names.asked not in names.givens and (told := _JUST_NAMED.match(text)) and names.is_asked(told[1]):
+        text = f"{text[: told.end() - 1]}={text[told.end() :]}"
     text = _IS.sub(lambda match: f"{match['name']}{'=':>{len(match['sign'])}}", text)
     text = _PER.sub(lambda match: match["blank"] + _PER_MARKS[match["word"]].ljust(len(match["word"])), text)
     text = _SECONDS.sub(lambda match: "s".ljust(len(match[0])), text)
@@ -94,6 +102,18 @@ def without_asides(text: str, names: Names) -> str:
     before = "" if clause is None else text[: clause.start()].rstrip(" ,;")
     if clause is not None and before and not names.givens.isdisjoint(spellings(clause["name"])):
         text = before.ljust(len(text))
+    return text
+
+
+def with_parting_marks(text: str, count: int) -> str:
+    """The components of a vector parted by `;` where there are `count` with blanks between, `[5 -5 -5]`, or bars: `(5|-5|-5)`."""
+    spaced = _SPACED.search(text)
+    if spaced is not None and len(spaced["numbers"].split()) == count:
+        numbers = re.sub(r"\s(?=\S)", ";", spaced["numbers"].strip()).rjust(len(spaced["numbers"].rstrip()))
+        return text[: spaced.start("numbers")] + numbers.ljust(len(spaced["numbers"])) + text[spaced.end("numbers") :]
+    barred = _BARRED.search(text)
+    if barred is not None and barred["parts"].count("|") == count - 1 and text.count("|") == count - 1:
+        return text.replace("|", ";")
     return text
 
 

@@ -31,7 +31,13 @@ LEGEND = (
 )
 CLASSES = 10  # of the distribution
 COMMONEST = 20
-NO_MISTAKES = ("followed", "comma", "chain", "numbers", NUMBERS_ALONE)  # kinds of remarks that tell of no mistake of their own
+NO_MISTAKES = (
+    "followed",
+    "comma",
+    "chain",
+    "numbers",
+    NUMBERS_ALONE,
+)  # kinds of remarks that tell of no mistake of their own
 
 
 class SummaryPage(Page, frozen=True):
