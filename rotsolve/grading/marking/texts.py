@@ -10,6 +10,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, Formula, Symbol
+from rotsolve.algebra.units.dimension import NONE
+from rotsolve.confirm.course.samples import holds
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
@@ -20,7 +22,9 @@ from rotsolve.grading.comparing.signs import cut_direction, is_direction
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.choices import options_named, plain_words
+from rotsolve.grading.reading.conditions import CONDITIONAL, Claim, claims_in
 from rotsolve.grading.reading.definitions import Definitions, clause
+from rotsolve.grading.reading.everyday import aside, everyday, ratio, without_nouns
 from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
@@ -79,7 +83,7 @@ class Texts:
         long = AnswerError.of_length(text)
         if long is not None:
             return unreadable(long)
-        text = plain_width(text)
+        text = everyday(plain_width(text))
         if NOTHING.fullmatch(text):
             return JudgedText(None, found(WRONG, EMPTY, "not answered"))
         if target.word:
@@ -89,16 +93,38 @@ class Texts:
             return JudgedText(None, direction_judged(without_letter(text), target))
         if target.parts and self._names_components(target, text):
             return self._in_axes(target, text, defined)
+        claims = claims_in(text, self.names(target)) if CONDITIONAL.search(text) else ()
+        claim = self._claimed(claims) if claims else None
+        if claim is not None:
+            text = claim.text
         told = clause(text, self.names(target))
         if told is not None:
             text, defined = told[0], (*defined, told[1:])
         return self._answering(target, text, defined)
 
+    def _claimed(self, claims: tuple[Claim, ...]) -> Claim | None:
+        """The answer that is given for the numbers of the scene; None where they do not tell."""
+        letters = {
+            name for one in claims for side in one.conditions for name in side.left.symbols() | side.right.symbols()
+        }
+        if not letters <= self.letters.numbers.keys():
+            return None
+        numbers = dict(self.letters.numbers)
+        told = [one for one in claims if one.conditions and all(holds(each, numbers) for each in one.conditions)]
+        return next(iter([*told, *(one for one in claims if not one.conditions)]), None)
+
     def _answering(self, target: Target, text: str, defined: Defined) -> JudgedText:
         """What is found in the last statement of a line that tells the answer; an earlier one with another value is said to be so."""
         names = self.names(target)
         line, before = last_statement(text, names)
+        line, said = aside(line, self.elsewhere(target))
+        line = without_nouns(line, names.nouns, names.letters)
+        if target.whole is not None and target.whole.dimension.matches(NONE):
+            line = ratio(line)
         one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)
+        if said and one.reading is not None:
+            remark = Remark("words", (f"`{said}` is not looked at",))
+            one = replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
         near = names.near_name(line)
         if near and one.reading is not None:
             remark = Remark("letter", (Symbol(near), " is taken as ", Symbol(target.name)))
@@ -129,6 +155,13 @@ class Texts:
         paths = [term.path for find in finds for term in find.terms]
         whose = [word for path in paths for word in (path.owner, path.point or "", path.quantity)]
         return nouns_for(*whose, *(term.modifier for find in finds for term in find.terms))
+
+    @remembered
+    def elsewhere(self, target: Target) -> frozenset[str]:
+        """Words that may say that something else is meant: letters of the scene, and the names of bodies that are not asked about."""
+        bodies = nouns_for(*(body.name for body in self.letters.problem.bodies))
+        letters = {name for name in self.letters.givens | self.letters.told if name not in "aA"}
+        return (bodies - self.nouns(target.name)) | letters
 
     def _names_components(self, target: Target, text: str) -> bool:
         """Whether a text tells a vector or matrix by the names of its components."""
@@ -337,6 +370,10 @@ def chain_judged(found_in: list[JudgedText], chain: tuple[str, ...]) -> JudgedTe
         finding = Finding(finding.outcome, remarks, flaws)
     for one, member in zip(earlier, chain, strict=False):
         failed = one.finding.outcome == WRONG and not one.finding.flaws
+        if (
+            finding.right and last.reading is not None and last.reading.direction
+        ):  # the sign of all is told by its words
+            failed = failed and any(remark.kind != "sign" for remark in one.finding.remarks)
         if one.finding.right if finding.outcome == WRONG else failed:
             start, end = len(member) - len(member.lstrip()), len(member.rstrip())
             words = f"`{member.strip()}` {'is right' if one.finding.right else 'is another value'}"

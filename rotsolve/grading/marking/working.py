@@ -26,6 +26,7 @@ from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import definition
+from rotsolve.grading.reading.everyday import everyday, without_head
 from rotsolve.grading.reading.near import with_near
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, plain_width
@@ -46,6 +47,9 @@ from rotsolve.language.marks import ALL, marking_of
 USUAL = 0.01  # the share by which the two sides of a line with decimals may differ, where the tolerance is no share
 DECIMAL = re.compile(r"\d[.,]\d")
 NAME = re.compile(r"[^\W\d_]\w*")
+BETWEEN = re.compile(  # statements of a line
+    r"[()\[\]{}]|;|=>|[-–]+>|[→⇒⟹⟶∴]|\\(?:Rightarrow|rightarrow|implies|to|therefore)(?![A-Za-z])|,(?=\s)|,?\s(?:so|hence|thus|therefore|and|also|und)\s"
+)
 MOST_STATES = 24  # ways in which the letters of a line are meant at one state or another
 MOST_SENSES = 6  # of positive directions that are tried the other way, one or two at a time
 
@@ -128,7 +132,10 @@ class WorkingJudge:
         long = AnswerError.of_length(text)
         if long is not None:
             return Verdict(UNDECIDED, "", (Remark("reading", (str(long),), long.start, long.end),))
-        finding = all_findings(self.link(*link, context) for link in equations_of(plain_width(text)))
+        line = without_head(everyday(plain_width(text)), self.names().letters)
+        links = [self.link(*link, context) for part in statements_of(line) for link in equations_of(*part)]
+        telling = [one for one in links if all(remark.kind != "trivial" for remark in one.remarks)]
+        finding = all_findings(telling or links)
         return Verdict(finding.outcome, "", finding.remarks)
 
     @remembered
@@ -357,14 +364,27 @@ class WorkingJudge:
         return None
 
 
-def equations_of(text: str) -> Iterator[tuple[str, int]]:
-    """The equations of a line, and where they begin: a = b, b = c of the chain a = b = c."""
+def statements_of(text: str) -> list[tuple[str, int]]:
+    """The statements of a line, and where they begin: I = ½ M R², ω = v/R; the whole of it where one of them is no equation."""
+    cuts, depth = [(0, 0)], 0
+    for sign in BETWEEN.finditer(text):
+        depth += (sign[0] in "([{") - (sign[0] in ")]}")
+        if not depth and sign[0] not in "()[]{}":
+            cuts.append(sign.span())
+    ends = [start for start, _ in cuts[1:]] + [len(text)]
+    parts = [(text[start:end], start) for (_, start), end in zip(cuts, ends, strict=True)]
+    parts = [part for part in parts if part[0].strip(" .$")]
+    return parts if len(parts) > 1 and all("=" in part for part, _ in parts) else [(text, 0)]
+
+
+def equations_of(text: str, at: int = 0) -> Iterator[tuple[str, int]]:
+    """The equations of a statement that begins at a place, and where they begin: a = b, b = c of the chain a = b = c."""
     pieces = [match.span() for match in re.finditer("[^=]+", text)]
     if len(pieces) < 3:
-        yield text, 0
+        yield text, at
         return
     for (start, _), (_, end) in pairwise(pieces):
-        yield text[start:end], start
+        yield text[start:end], at + start
 
 
 def by_numbers_alone(finding: Finding) -> bool:

@@ -42,7 +42,7 @@ _SECONDS = re.compile(  # else it is the secant
     r"(?<=[\d\s/·*])secs?(?![A-Za-z])\.?(?=\s*(?:\^?\(?[-−]?\d\)?|[⁻²³¹]+)?\s*(?:$|[/;,)*·]|per\b|squared|cubed))"
 )
 _SQUARE = re.compile(
-    r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?))\b"
+    r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?|sekunden?|seconds?))\b"
 )
 _CLAUSE = re.compile(
     r"(?:[,;(]|\b(?:with|where|for|taking|using|and)\b)\s*(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
