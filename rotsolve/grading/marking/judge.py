@@ -139,7 +139,8 @@ class Judge:
             finding = self.explaining.vector(target, reading)
         elif reading is not None and reading.formula is not None and asked is not None:
             if reading.kind == NUMBER:
-                typed = Typed(reading.formula, reading.figures, reading.unit)
+                unit = reading.unit and measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns)
+                typed = Typed(reading.formula, reading.figures, unit if isinstance(unit, Unit) else reading.unit)
                 finding = self.explaining.number(target.name, typed, asked)
             elif reading.kind == FORMULA:
                 finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)

@@ -414,20 +414,21 @@ def word_judged(text: str, target: Target, nouns: frozenset[str]) -> Finding:
     wanted = options_named(target.word, target.options)
     typed = options_named(without_letter(text), target.options, nouns)
     if typed is None:
-        return found(UNDECIDED, "reading", f"choose from: {', '.join(target.options)}")
+        alone = len(re.findall(r"\w+", without_letter(text))) == 1  # one word, which is none of them
+        return found(WRONG if alone else UNDECIDED, "reading", f"choose from: {', '.join(target.options)}")
     return Finding(RIGHT if typed == wanted else WRONG)
 
 
 def direction_judged(text: str, target: Target) -> Finding:
     """The finding for a direction in words where a number could stand."""
-    direction = "" if target.whole is None else target.whole.direction
-    if not direction:
+    asked = target.whole
+    if asked is None or not asked.direction:
         return found(WRONG, "form", "words are no answer here")
-    other = pointing_judged(text, target.whole)
-    if other is not None or target.whole is None:
-        return other or found(WRONG, "form", "words are no answer here")
-    if turned_by(text, target.whole):
-        return found(WRONG, "direction", f"it points another way: {direction}")
+    other = pointing_judged(text, asked)
+    if other is not None:
+        return other
+    if turned_by(text, asked):
+        return found(WRONG, "direction", f"it points another way: {asked.direction}")
     if target.directional:
         return Finding(RIGHT)
     return found(WRONG, "form", "the direction is right; its size is asked for")

@@ -42,11 +42,11 @@ _HINT = re.compile(
 )
 _NUMBER = r"(?:[√]?\s*\d+(?:[.,]\d+)?|√\(\d+\))"
 _RATIO = re.compile(
-    rf"(?P<before>^|.*=)(?P<left>\s*\$?\s*{_NUMBER}\s*)(?P<mark>:|to|zu)(?P<right>\s*{_NUMBER}\s*\$?\s*\.?)$"
+    rf"(?P<before>^|.*=)(?P<left>\s*\$?\s*{_NUMBER}\s*)(?P<mark>:|zu)(?P<right>\s*{_NUMBER}\s*\$?\s*\.?)$"
 )
 _HEAD = re.compile(r"\s*(?P<words>[^\W\d_][^=:;→⇒<>]{2,60}):(?!=)(?=[^:]*=)")
 _ASIDE = re.compile(
-    r"(?<=\S)[\s,]+(?P<open>\()?(?P<words>(?:for|if|when|while|as|since|because|assuming|für|falls|wenn|während|da|weil)\s+(?:[A-Za-zäöüßÄÖÜ-]+\s*)+)(?(open)\))[\s.]*$"
+    r"(?<=\S)[\s,]+(?P<open>\()?(?P<words>(?:for|if|when|while|as|since|because|assuming|für|falls|wenn|während|da|weil)\s[A-Za-zäöüßÄÖÜ\s-]+)(?(open)\))[\s.]*$"
 )
 _BEHIND = re.compile(r"(?<=[^\s=≈:])[\s,]+(?P<word>[A-Za-zäöüßÄÖÜ]+)(?:[\s.]*$)?")
 LINKS = frozenset(("of", "the", "from", "at", "in", "about", "to", "a", "an", "by", "von", "vom", "der", "des", "dem"))

@@ -57,6 +57,8 @@ class Names(Struct, frozen=True, dict=True):
 
     def is_asked(self, typed: str) -> bool:
         """Whether a spelling means the quantity that is asked for: `ω₀` is omega0."""
+        if not typed:
+            return False
         if typed == self.asked or self.asked in spellings(typed):
             return True
         return typed not in self.letters and (spelled_alike(typed, self.asked) or self.is_near(typed))
