@@ -14,8 +14,8 @@ from msgspec import Struct
 from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import parse_unit, unit_for
 from rotsolve.core.faults import Fault, Span
+from rotsolve.grading.course.handed_in import HandedInError
 from rotsolve.grading.course.questions import Asked, SheetTask
-from rotsolve.grading.course.sheet import HandedInError
 from rotsolve.language.words import hint, quoted
 
 SEPARATORS = (",", ";", "\t")

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
     from rotsolve.grading.marking.explaining import Wrong
     from rotsolve.grading.marking.judge import Judge
-    from rotsolve.grading.mistakes.table import WrongAnswers
+    from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
     from rotsolve.keys.variants import Variant
     from rotsolve.keys.working import Worked
     from rotsolve.solution import Solution

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.grading.course.command import ALL_RIGHT, NOT_ALL_RIGHT, CheckRequest, refuse_check, show_page
 from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.handed_in import content_of
 from rotsolve.grading.course.overrides import OVERRIDES, read_overrides, with_overrides
 from rotsolve.grading.course.papers import PAPERS, KnownStudents, papers_table, read_papers, with_file
 from rotsolve.grading.course.questions import SheetTask
@@ -17,7 +18,6 @@ from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, known_to_c
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.summary import SummaryPage
 from rotsolve.grading.course.report.tally import NAMED, head_of_class
-from rotsolve.grading.course.sheet import content_of
 from rotsolve.grading.course.stream.cluster import joined_cluster
 from rotsolve.grading.course.stream.elsewhere import size_and_way
 from rotsolve.grading.course.stream.papers import is_parquet, open_papers

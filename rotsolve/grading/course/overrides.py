@@ -13,9 +13,9 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, Span
 from rotsolve.grading.course.columns import SEPARATORS, plain_heading
+from rotsolve.grading.course.handed_in import MARK, HandedInError, content_of
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import Asked, SheetTask
-from rotsolve.grading.course.sheet import MARK, HandedInError, content_of
 from rotsolve.grading.course.students import Student
 from rotsolve.grading.course.table import plain_cell
 from rotsolve.grading.verdict import BY_HAND, Marked, Remark, Verdict

@@ -17,8 +17,8 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, Span
 from rotsolve.grading.course.columns import SEPARATORS
+from rotsolve.grading.course.handed_in import MARK, HandedInError, content_of, file_error
 from rotsolve.grading.course.questions import Asked, SheetTask
-from rotsolve.grading.course.sheet import MARK, HandedInError, content_of, file_error
 from rotsolve.grading.course.students import IDENTITIES, Student
 from rotsolve.grading.course.table import Entry, plain_cell
 from rotsolve.grading.verdict import Paper

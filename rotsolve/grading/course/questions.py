@@ -11,7 +11,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.grading.course.sheet import meant_answer
+from rotsolve.grading.course.handed_in import meant_answer
 from rotsolve.language.words import quoted
 from rotsolve.page.text import plain_text
 

@@ -114,7 +114,7 @@ def test_mistakes_of_a_variant_are_those_of_the_scene_with_its_numbers(
     """They are solved once for all variants; solving each anew says the same."""
     Path("scene.yaml").write_text(scene, encoding="utf-8")
     from rotsolve.grading.course.examiner import Judges
-    from rotsolve.grading.mistakes.table import WrongAnswers
+    from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
     from rotsolve.keys.variants import worked_variants
     from rotsolve.scene.read import read_file
 

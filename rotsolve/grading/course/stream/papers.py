@@ -14,8 +14,8 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, missing_package
 from rotsolve.grading.course.columns import Columns, columns_called, fault_of_headings
+from rotsolve.grading.course.handed_in import BYTES, MARK, SAVE, HandedInError, file_error
 from rotsolve.grading.course.questions import SheetTask
-from rotsolve.grading.course.sheet import BYTES, MARK, SAVE, HandedInError, file_error
 from rotsolve.grading.course.table import Entry, entries_of_file, opened_table, row_entry, tells_no_student
 from rotsolve.language.words import quoted
 from rotsolve.scene.encoding import decoded

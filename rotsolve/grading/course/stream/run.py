@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 from rotsolve.core.faults import RotsolveError
 from rotsolve.grading.course.command import ALL_RIGHT, NOT_ALL_RIGHT, CheckRequest, refuse_check
 from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.handed_in import file_error
 from rotsolve.grading.course.report.tally import Tally, head_of_class
-from rotsolve.grading.course.sheet import file_error
 from rotsolve.grading.course.stream.assignment import BATCH, MarkedRows, assignment_of, named_batch, numbered_batches
 from rotsolve.grading.course.stream.cluster import Cluster, joined_cluster
 from rotsolve.grading.course.stream.kept import KeptBatches, told_run
