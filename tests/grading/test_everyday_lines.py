@@ -1,4 +1,4 @@
-"""Everyday notation and words: percent, ratios, siunitx, German, directions against a motion, conditions, asides, choices, several statements.
+"""Everyday notation and words: percent, ratios, siunitx, German, directions, conditions, choices, several statements in a line.
 
 What is right in plain notation is right in these, and what is wrong is wrong."""
 

@@ -21,10 +21,10 @@ from rotsolve.grading.comparing.numbers import Typed, certified_number
 from rotsolve.grading.comparing.scalars import (
     Same,
     Scalar,
+    is_turned_by,
     lacking_unit,
     pointing_judged,
     right_but_for_sign,
-    turned_by,
     turns_round,
     value_judged,
 )
@@ -134,7 +134,7 @@ def formula_judged(formula: Formula, direction: str, asked: Scalar, *, measured:
     other = pointing_judged(direction, asked)
     if other is not None:
         return other
-    turned = turned_by(direction, asked)
+    turned = is_turned_by(direction, asked)
     number = certified_number(formula, asked.values)
     if number is not None and asked.value is not None and turns_round(number.float < 0, asked.value, turned):
         formula = -formula

@@ -25,7 +25,7 @@ from rotsolve.grading.comparing.numbers import (
     rounds_to,
     within_tolerance,
 )
-from rotsolve.grading.comparing.signs import along, is_unclear, points_other_way
+from rotsolve.grading.comparing.signs import along_motion, is_unclear, points_other_way
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language import marks
 from rotsolve.language.marks import Marking
@@ -121,7 +121,7 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
     other = pointing_judged(direction, asked)
     if other is not None:
         return other
-    turned = turned_by(direction, asked)
+    turned = is_turned_by(direction, asked)
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
     holds = within_tolerance(signed, value, asked.marking.tolerance, unit)
     if holds is None and is_same_number(signed, unit, asked):
@@ -137,9 +137,11 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
     return None
 
 
-def turned_by(direction: str, asked: Scalar) -> bool:
+def is_turned_by(direction: str, asked: Scalar) -> bool:
     """Whether words behind an answer tell the direction other than the one that is sought."""
-    return bool(direction and asked.direction and points_other_way(along(direction, asked.positive), asked.direction))
+    return bool(
+        direction and asked.direction and points_other_way(along_motion(direction, asked.positive), asked.direction)
+    )
 
 
 def pointing_judged(direction: str, asked: Scalar) -> Finding | None:
@@ -150,7 +152,7 @@ def pointing_judged(direction: str, asked: Scalar) -> Finding | None:
     """
     if not (direction and asked.direction):
         return None
-    meant = along(direction, asked.positive)
+    meant = along_motion(direction, asked.positive)
     turned = points_other_way(meant, asked.direction)
     if turned is False or (turned and meant == direction):
         return None

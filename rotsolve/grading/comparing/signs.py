@@ -59,7 +59,7 @@ def points_other_way(typed: str, sought: str) -> bool | None:
     return False if own == wanted else True if own == frozenset(OPPOSITE.get(word, word) for word in wanted) else None
 
 
-def along(typed: str, positive: str) -> str:
+def along_motion(typed: str, positive: str) -> str:
     """Words for a direction in which forwards is the declared positive one, and backwards the other; as they are where none is declared."""
     way = next((ALONG[word] for word in plain_directions(typed) if word in ALONG), 0)
     declared = plain_directions(positive)

@@ -85,7 +85,7 @@ class Judge:
         if one.reading is None and defined:
             one = self._judged(target, text, defined)
         if any(remark.kind == NUMBERS_ALONE for remark in one.finding.remarks):
-            return self._by_numbers(target, text), False
+            return self._right_by_numbers(target, text), False
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
         followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
@@ -101,7 +101,7 @@ class Judge:
         return self.cases.judged(target, text, defined) or self.texts.judged(target, text, defined)
 
     @remembered
-    def _by_numbers(self, target: Target, text: str) -> JudgedText:
+    def _right_by_numbers(self, target: Target, text: str) -> JudgedText:
         """A formula that is right for the scene's own numbers alone; wrong where a usual mistake makes it of the answer."""
         one = self._judged(target, text)
         assert one.reading is not None

@@ -17,14 +17,14 @@ from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
 from rotsolve.grading.comparing.numbers import Typed, certified_number, rounds_to
 from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
-from rotsolve.grading.comparing.scalars import Close, Same, pointing_judged, turned_by
+from rotsolve.grading.comparing.scalars import Close, Same, is_turned_by, pointing_judged
 from rotsolve.grading.comparing.signs import cut_direction, is_direction
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.choices import options_named, plain_words
 from rotsolve.grading.reading.conditions import CONDITIONAL, Claim, claims_in
 from rotsolve.grading.reading.definitions import Definitions, clause
-from rotsolve.grading.reading.everyday import aside, everyday, ratio, without_nouns
+from rotsolve.grading.reading.everyday import cut_aside, everyday, quotient_of_ratio, without_nouns
 from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
@@ -117,10 +117,10 @@ class Texts:
         """What is found in the last statement of a line that tells the answer; an earlier one with another value is said to be so."""
         names = self.names(target)
         line, before = last_statement(text, names)
-        line, said = aside(line, self.elsewhere(target))
+        line, said = cut_aside(line, self.words_elsewhere(target))
         line = without_nouns(line, names.nouns, names.letters)
         if target.whole is not None and target.whole.dimension.matches(NONE):
-            line = ratio(line)
+            line = quotient_of_ratio(line)
         one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)
         if said and one.reading is not None:
             remark = Remark("words", (f"`{said}` is not looked at",))
@@ -157,7 +157,7 @@ class Texts:
         return nouns_for(*whose, *(term.modifier for find in finds for term in find.terms))
 
     @remembered
-    def elsewhere(self, target: Target) -> frozenset[str]:
+    def words_elsewhere(self, target: Target) -> frozenset[str]:
         """Words that may say that something else is meant: letters of the scene, and the names of bodies that are not asked about."""
         bodies = nouns_for(*(body.name for body in self.letters.problem.bodies))
         letters = {name for name in self.letters.givens | self.letters.told if name not in "aA"}
@@ -427,7 +427,7 @@ def direction_judged(text: str, target: Target) -> Finding:
     other = pointing_judged(text, asked)
     if other is not None:
         return other
-    if turned_by(text, asked):
+    if is_turned_by(text, asked):
         return found(WRONG, "direction", f"it points another way: {asked.direction}")
     if target.directional:
         return Finding(RIGHT)

@@ -232,7 +232,7 @@ class WorkingJudge:
             (None if unitless else self.misfit(left, right))
             or self.sign(left, right)
             or self.mistake(left, right)
-            or self.by_numbers(left, right)
+            or self.equal_for_numbers(left, right)
             or Finding(WRONG)
         )
 
@@ -302,7 +302,7 @@ class WorkingJudge:
 
     # what is wrong
 
-    def by_numbers(self, left: Formula, right: Formula) -> Finding | None:
+    def equal_for_numbers(self, left: Formula, right: Formula) -> Finding | None:
         """The finding for a line that holds for the scene's own numbers alone: a = g/2 where M = 2 m. One in which nothing was put in that
         shows, as m g = M a or T = m a, may be another law that holds by chance: nothing is decided."""
         sides, values = [self.told(side) for side in (left, right)], self.letters.values

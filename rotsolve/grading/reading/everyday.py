@@ -87,7 +87,7 @@ def _plain_unit(macros: str) -> str:
     return _MACRO.sub(lambda match: _MACROS.get(match[1], f" {match[1]}"), unit).strip()
 
 
-def ratio(text: str) -> str:
+def quotient_of_ratio(text: str) -> str:
     """`2 : 7` as 2/7, where nothing else stands in the line but a name in front."""
     found = _RATIO.match(text)
     return text if found is None else f"{text[: found.start('mark')]}{'/'.ljust(len(found['mark']))}{found['right']}"
@@ -103,7 +103,7 @@ def without_head(text: str, letters: frozenset[str]) -> str:
     return " " * head.end() + text[head.end() :]
 
 
-def aside(text: str, names: frozenset[str]) -> tuple[str, str]:
+def cut_aside(text: str, names: frozenset[str]) -> tuple[str, str]:
     """The line without the words behind it that say when or of what it holds, `when it rolls`, and these; '' where there are none.
 
     With the name of a letter or of another body among them, or a word that turns what is said, they stay.
