@@ -236,11 +236,12 @@ class Explaining:
 
     def mistake_in_letters(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """The mistake or the sign with which a formula is the answer whatever numbers its letters have; None where there is none."""
-        for mistake, answers in self.wrong_answers:
-            closed = answers[name].closed if name in answers else None
-            if closed is not None and closed.symbols() == formula.symbols() and asked.same(formula, closed):
-                return mistake_finding(mistake)
-        return self.sign(formula, asked)
+
+        def fits(wrong: Answer) -> bool:
+            closed = wrong.closed
+            return closed is not None and closed.symbols() == formula.symbols() and bool(asked.same(formula, closed))
+
+        return self._first_mistake(name, fits) or self.sign(formula, asked)
 
 
 def node_replaced(old: Formula, new: Formula, node: Formula) -> Formula:
