@@ -19,8 +19,10 @@ from rotsolve.grading.marking.cases import Cases
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.target import SceneLetters, Target
-from rotsolve.grading.marking.texts import CHAIN, EMPTY, Defined, JudgedText, Texts
+from rotsolve.grading.marking.own_letters import DEFINED
+from rotsolve.grading.marking.texts import CHAIN, EMPTY, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
+from rotsolve.grading.reading.definitions import Defined
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR
 from rotsolve.grading.verdict import (
     NO_ANSWER,
@@ -54,11 +56,11 @@ class Judge:
     def mark(self, paper: Paper) -> Marked:
         """The paper, marked: every answer in the order in which the scene asks, then the working."""
         parts, wrong = [], dict[str, str]()
-        defined = tuple((name, form) for _, name, form in self.working.definitions(paper.working))
+        brought, own = self.working.defined(paper.working)
         round_in = self._circles(paper.answers)
         for target in self.targets.values():
             text = paper.answers.get(target.name, "")
-            one, followed = self._in_its_place(target, text, wrong, defined)
+            one, followed = self._in_its_place(target, text, wrong, brought, own)
             if target.name in round_in:
                 one, followed = unsolved_judged(one, round_in[target.name]), False
             if one.finding.outcome == WRONG:
@@ -77,30 +79,36 @@ class Judge:
         return circles(holds) if len(holds) > 1 else {}
 
     def _in_its_place(
-        self, target: Target, text: str, wrong: Mapping[str, str], defined: Defined
+        self, target: Target, text: str, wrong: Mapping[str, str], brought: Defined, own: Defined
     ) -> tuple[JudgedText, bool]:
-        """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
-        one = self._judged(target, text)
-        if one.reading is None and defined:
-            one = self._judged(target, text, defined)
+        """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of.
+
+        By itself it is read with the letters of the scene that the working defines, where it can't be read with others too.
+        """
+        defined = (*brought, *own) if own else ()
+        one = self._judged(target, text, defined)
+        if one.reading is None and brought and not own:
+            defined, one = brought, self._judged(target, text, brought)
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
-        followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
+        followed = self._follow(target, text, tuple(wrong.items()), defined) if wrong else None
         if followed is not None:
             return followed, True
-        said = {remark.kind for remark in one.finding.remarks} - {CHAIN, COMPONENT}
+        said = {remark.kind for remark in one.finding.remarks} - {CHAIN, COMPONENT, DEFINED}
         if said - {"sign"} if target.parts else said:  # a sign says little of why a component is wrong
             return one, False
-        return self._explain(target, text), False
+        return self._explain(target, text, defined), False
 
     def _judged(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
         """What is found in a text by itself, in all cases of its answer."""
         return self.cases.judged(target, text, defined) or self.texts.judged(target, text, defined)
 
     @remembered
-    def _follow(self, target: Target, text: str, wrong: tuple[tuple[str, str], ...]) -> JudgedText | None:
+    def _follow(
+        self, target: Target, text: str, wrong: tuple[tuple[str, str], ...], defined: Defined
+    ) -> JudgedText | None:
         """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
-        one, given = self._judged(target, text), self.own(target, text)
+        one, given = self._judged(target, text, defined), self.own(target, text, defined)
         owned = {name: self.own(self.targets[name], typed) for name, typed in wrong}
         earlier = {name: value for name, value in owned.items() if value is not None}
         if given is None or not earlier:
@@ -116,9 +124,9 @@ class Judge:
         return JudgedText(one.reading, finding, one.read_as)
 
     @remembered
-    def _explain(self, target: Target, text: str) -> JudgedText:
+    def _explain(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
         """A wrong answer with what it comes of, where that is found."""
-        one = self._judged(target, text)
+        one = self._judged(target, text, defined)
         reading, asked = one.reading, target.whole
         finding = None
         if reading is not None and reading.kind == VECTOR:
@@ -135,9 +143,9 @@ class Judge:
         return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *more)), one.read_as)
 
     @remembered
-    def own(self, target: Target, text: str) -> Own | None:
+    def own(self, target: Target, text: str, defined: Defined = ()) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
-        one = self._judged(target, text)
+        one = self._judged(target, text, defined)
         reading, asked = one.reading, target.whole
         if reading is None or reading.formula is None or asked is None:
             return None

@@ -19,7 +19,7 @@ from rotsolve.grading.comparing.scalars import Close, Same
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
-from rotsolve.grading.reading.definitions import Definitions, clause
+from rotsolve.grading.reading.definitions import Defined, cut_definitions, told_before
 from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
@@ -29,9 +29,9 @@ from rotsolve.language.marks import FORM, UNIT
 
 if TYPE_CHECKING:
     from rotsolve.grading.marking.axes import OtherAxes
+    from rotsolve.grading.marking.own_letters import OwnLetters
 
 LONGEST_ECHO = 400  # characters of a line that is said back
-Defined = tuple[tuple[str, Formula], ...]  # letters that the student brought in, with what they stand for
 CHAIN = "chain"  # the kind of a remark on the way to an answer
 EMPTY = "empty"  # the kind of the remark on a text that is no answer, as `?`
 NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
@@ -87,15 +87,15 @@ class Texts:
             return JudgedText(None, direction_judged(without_letter(text), target))
         if target.parts and self._names_components(target, text):
             return self._in_axes(target, text, defined)
-        told = clause(text, self.names(target))
-        if told is not None:
-            text, defined = told[0], (*defined, told[1:])
-        return self._answering(target, text, defined)
+        text, told = cut_definitions(text, self.names(target), self.letters.constants)
+        return self._answering(target, text, (*defined, *told))
 
     def _answering(self, target: Target, text: str, defined: Defined) -> JudgedText:
         """What is found in the last statement of a line that tells the answer; an earlier one with another value is said to be so."""
         names = self.names(target)
         line, before = last_statement(text, names)
+        if line != text:
+            defined = (*defined, *told_before(text[: len(text) - len(line.lstrip())], names, self.letters.constants))
         one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)
         near = names.near_name(line)
         if near and one.reading is not None:
@@ -183,16 +183,48 @@ class Texts:
         return self._value(target, text, defined)
 
     def _value(self, target: Target, text: str, defined: Defined) -> JudgedText:
-        """What is found in one value; where it can't be read by the scene's letters, with those that the student brought in."""
-        best = self._by_scene(target, text)
-        if best.reading is not None or target.rows > 1 or not defined:
-            return best
-        line, direction = cut_direction(text)
+        """What is found in one value: by the letters as the student defined them, else by the scene's."""
+        if not defined or target.rows > 1:
+            return self._by_scene(target, text)
+        from rotsolve.grading.marking.own_letters import OwnLetters  # few define letters
+
+        own = OwnLetters.of(defined, self.letters, target, self.same)
         try:
-            readings = self._with_letters(line, target, dict(defined))
-        except AnswerError as error:
-            return unreadable(error)
-        return self._best(target, text, with_direction(readings, direction))
+            one = self._by_own(target, text, own) or self._by_scene(target, text)
+        except AnswerError as error:  # knows more letters, so that it blames the right one
+            by_scene = self._by_scene(target, text)
+            one = unreadable(error) if by_scene.reading is None else by_scene
+        return one if one.reading is None else self._with_own_numbers(target, one, one.reading, own)
+
+    def _by_own(self, target: Target, text: str, own: OwnLetters) -> JudgedText | None:
+        """What is found in one value by letters that the student defined; None where it holds none."""
+        from rotsolve.grading.marking.own_letters import holds_letters, in_own_letters
+
+        line, direction = cut_direction(text)
+        readings = read_line(line, self.names(target, self.letters.constants.union(own.forms)))
+        if not any(holds_letters(one, own.forms) for one in readings):
+            return None
+        put = [in_own_letters(one, own.forms) for one in readings]
+        told = [None if one.formula is None else self.letters.spelled_out(one.formula) for one in put]
+        meant = tuple(
+            replace(one, formula=form)
+            for one, form in zip(put, told, strict=True)
+            if form is not None or one.formula is None
+        )
+        return self._best(target, text, with_direction(meant, direction)) if meant else None
+
+    def _with_own_numbers(self, target: Target, one: JudgedText, reading: LineReading, own: OwnLetters) -> JudgedText:
+        """What is found with the numbers that the student gave to letters of the scene, and what differs from the scene."""
+        from rotsolve.grading.marking.own_letters import in_own_letters
+
+        finding = one.finding
+        if own.numbers and reading.kind != NUMBER and (finding.right or finding.flaws):
+            number = own.worked_out(self.meant(reading), self.letters, target)
+            by_number = self._read(target, number)
+            if not by_number.right:
+                reading = number if own.near else in_own_letters(reading, own.numbers)
+                finding = by_number
+        return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *own.remarks)), one.read_as)
 
     def _by_scene(self, target: Target, text: str) -> JudgedText:
         """What is found in one value: by the letters of the scene, else with units in it, else with letters of the laws."""
@@ -249,15 +281,6 @@ class Texts:
             readings = ()
         found = (*readings, *quantity_readings(line, names, measured, bool(readings)))
         return tuple(with_near(reading, near) for reading in found)
-
-    def _with_letters(self, line: str, target: Target, defined: Definitions) -> tuple[LineReading, ...]:
-        """The readings of a line with letters that the student brought in."""
-        names = self.names(target, frozenset(defined))
-        return tuple(
-            replace(reading, written=reading.text, formula=reading.formula.substitute(defined))
-            for reading in read_line(line, names)
-            if reading.formula is not None
-        )
 
     def _best(self, target: Target, text: str, readings: tuple[LineReading, ...]) -> JudgedText:
         """By the reading that makes the line right, else by the likeliest one."""

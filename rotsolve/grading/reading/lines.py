@@ -1,6 +1,6 @@
 """Lines: what stands round the values of a line: words that say nothing of it, directions, signs of equality, decimal commas.
 
-Blanks take the place of words as `about`, `± 0.01` or `with g = 9.81`, so that every other character keeps its column. Of a chain
+Blanks take the place of words as `about` or `± 0.01`, so that every other character keeps its column. Of a chain
 `a = 2/3 · 9.81 · 0.5 = 3.27 m/s²` the last member is the answer, the others are the way to it. A decimal comma is read as a point, with a
 remark; so are groups of three digits.
 """
@@ -40,10 +40,6 @@ _SECONDS = re.compile(  # else it is the secant
 _SQUARE = re.compile(
     r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?))\b"
 )
-_CLAUSE = re.compile(
-    r"(?:[,;(]|\b(?:with|where|for|taking|using|and)\b)\s*(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
-)
-
 _DIRECTIONS = {
     "left": r"left(?:wards?)?|←|\\leftarrow",
     "right": r"right(?:wards?)?|→|\\rightarrow",
@@ -90,10 +86,6 @@ def without_asides(text: str, names: Names) -> str:
     text = _SECONDS.sub(lambda match: "s".ljust(len(match[0])), text)
     text = _SQUARE.sub(powered_behind, text)
     text = _CAPITAL.sub(lambda match: match[0].lower(), text)
-    clause = _CLAUSE.search(text)
-    before = "" if clause is None else text[: clause.start()].rstrip(" ,;")
-    if clause is not None and before and not names.givens.isdisjoint(spellings(clause["name"])):
-        text = before.ljust(len(text))
     return text
 
 
