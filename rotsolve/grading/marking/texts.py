@@ -382,7 +382,9 @@ def preference(finding: Finding) -> int:
     if finding.outcome == WRONG and finding.flaws:
         return 1
     if any(remark.kind == VALUELESS for remark in finding.remarks):
-        return 4
+        return 5
+    if finding.outcome == WRONG and any(remark.kind == "dimension" for remark in finding.remarks):
+        return 4  # another reading measures what is asked
     return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
 
