@@ -217,11 +217,12 @@ def multiple_judged(formula: Formula, asked: Scalar) -> Finding | None:
     if not formula.symbols() <= asked.values.keys():
         return None
     decimal, places = decimals[0], decimal_places(decimals[0])
-    typed = Typed(formula.substitute(asked.values), len(str(int(abs(decimal) * 10**places))))
+    figures = len(str(int(abs(decimal) * 10**places)))
+    typed = Typed(formula.substitute(asked.values), figures)
     finding = value_judged(typed, asked.si, "", asked)
     margin = abs(HALF / (10**places * decimal)) * typed.value
     if finding is None and is_near(typed, asked.in_unit(asked.si), margin=margin):
-        finding = too_few(typed)
+        finding = too_few(figures)
     said = found(RIGHT, "numbers", "a number for the scene's own values").remarks
     return None if finding is None else replace(finding, remarks=(*said, *finding.remarks))
 

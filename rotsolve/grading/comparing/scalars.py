@@ -17,12 +17,13 @@ from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.numbers import (
+    LEAST_FIGURES,
     Typed,
     certified_number,
+    figures_that_hold,
     likely_meant,
     may_lack,
     measured_unit,
-    rounds_to,
     within_tolerance,
 )
 from rotsolve.grading.comparing.signs import points_other_way
@@ -31,7 +32,6 @@ from rotsolve.language import marks
 from rotsolve.language.marks import Marking
 
 POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point makes
-LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
 
 Same = Callable[[Formula, Formula], "bool | None"]
 Close = Callable[[Formula, Formula, Fraction], bool]
@@ -197,8 +197,9 @@ def is_exactly(typed: Typed, value: Certified) -> bool:
 def slip(typed: Typed, unit: Unit, asked: Scalar) -> Finding:
     """What a number that is out of the tolerance may come of: too few figures, another unit, a power of ten."""
     value = asked.in_unit(unit)
-    if rounds_to(typed, value):
-        return too_few(typed)
+    figures = figures_that_hold(typed, value)
+    if figures:
+        return too_few(figures)
     for other in likely_meant(typed.unit, asked.unit, asked.si, asked.dimension):
         if within_tolerance(typed, asked.in_unit(other), asked.marking.tolerance, other):
             return found(WRONG, "unit", f"the number would be right in {other.text or 'no unit'}")
@@ -208,9 +209,8 @@ def slip(typed: Typed, unit: Unit, asked: Scalar) -> Finding:
     return Finding(WRONG)
 
 
-def too_few(typed: Typed) -> Finding:
-    """What is said of a number that is right to its figures, but not to the tolerance."""
-    count = typed.figures or 0
+def too_few(count: int) -> Finding:
+    """What is said of a number that is right to so many figures, but not to the tolerance."""
     said = f"right as far as it goes, but {'1 figure is' if count == 1 else f'{count} figures are'} too few"
     return found(WRONG, "figures", said, flaws=(marks.ROUNDING,) if count >= LEAST_FIGURES else ())
 

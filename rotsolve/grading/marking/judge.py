@@ -12,8 +12,8 @@ from rotsolve.algebra.units.dimension import NONE
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion
-from rotsolve.grading.comparing.numbers import Typed, measured_unit
-from rotsolve.grading.comparing.readings import COMPONENT
+from rotsolve.grading.comparing.numbers import measured_unit
+from rotsolve.grading.comparing.readings import COMPONENT, typed_in
 from rotsolve.grading.comparing.scalars import lacking_unit
 from rotsolve.grading.marking.cases import Cases
 from rotsolve.grading.marking.explaining import Explaining, Wrong
@@ -133,7 +133,7 @@ class Judge:
             finding = self.explaining.vector(target, reading)
         elif reading is not None and reading.formula is not None and asked is not None:
             if reading.kind == NUMBER:
-                typed = Typed(reading.formula, reading.figures, reading.unit)
+                typed = typed_in(reading)
                 finding = self.explaining.number(target.name, typed, asked)
             elif reading.kind == FORMULA:
                 finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)
@@ -155,7 +155,7 @@ class Judge:
             unit: Unit | Remark = asked.unit
             if reading.unit is not None:
                 unit = measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns)
-            typed = Typed(reading.formula, reading.figures, reading.unit)
+            typed = typed_in(reading)
             return None if not isinstance(unit, Unit) or typed.rational == 0 else own_number(typed, unit.factor)
         formula = self.letters.meant(reading.formula)
         return None if reading.kind != FORMULA or self.texts.same(formula, ZERO) is not False else Own(formula)

@@ -13,10 +13,11 @@ from rotsolve.algebra.formula import ONE, Formula, Symbol
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
-from rotsolve.grading.comparing.numbers import Typed, certified_number, rounds_to
-from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
+from rotsolve.grading.comparing.numbers import certified_number, rounds_to
+from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, typed_in, vector_judged
 from rotsolve.grading.comparing.scalars import Close, Same
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
+from rotsolve.grading.comparing.uncertain import with_uncertainty
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Defined, cut_definitions, told_before
@@ -24,6 +25,7 @@ from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import plain_width
+from rotsolve.grading.reading.uncertainty import cut_uncertainty
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, Remark, found
 from rotsolve.language.marks import FORM, UNIT
 
@@ -96,7 +98,10 @@ class Texts:
         line, before = last_statement(text, names)
         if line != text:
             defined = (*defined, *told_before(text[: len(text) - len(line.lstrip())], names, self.letters.constants))
+        line, uncertainty = cut_uncertainty(line)
         one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)
+        if uncertainty is not None and one.reading is not None:
+            one = replace(one, finding=with_uncertainty(one.finding, one.reading, uncertainty, target.whole))
         near = names.near_name(line)
         if near and one.reading is not None:
             remark = Remark("letter", (Symbol(near), " is taken as ", Symbol(target.name)))
@@ -333,7 +338,7 @@ def exact_before_rounded(target: Target, found_in: list[JudgedText], text: str) 
     number = certified_number(value.formula * factor / unit.factor, target.whole.values)
     if not unit.dimension.matches(target.whole.dimension) or number is None:
         return None
-    if not rounds_to(Typed(typed.formula, typed.figures), number):
+    if not rounds_to(typed_in(typed), number):
         return None
     kept = tuple(remark for remark in exact.finding.remarks if remark.kind != "unit")
     return replace(exact, finding=Finding(RIGHT, kept))

@@ -1,6 +1,6 @@
 """Lines: what stands round the values of a line: words that say nothing of it, directions, signs of equality, decimal commas.
 
-Blanks take the place of words as `about` or `± 0.01`, so that every other character keeps its column. Of a chain
+Blanks take the place of words as `about`, so that every other character keeps its column. Of a chain
 `a = 2/3 · 9.81 · 0.5 = 3.27 m/s²` the last member is the answer, the others are the way to it. A decimal comma is read as a point, with a
 remark; so are groups of three digits.
 """
@@ -23,7 +23,6 @@ _ABOUT = re.compile(
 _TRANSPOSED = re.compile(
     r"(?<=[\])}])\s*(?:\^\s*(?:\{\s*)?(?:\\(?:top|mathsf\{T\}|mathrm\{T\}|intercal)|T(?![A-Za-z]))(?:\s*\})?|ᵀ)"
 )
-_ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
 _IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|(?<=\s)is\b)(?=\s*\S)")
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
 _PER = re.compile(  # metres per second squared
@@ -78,7 +77,6 @@ def without_asides(text: str, names: Names) -> str:
     """The line without words that say nothing of its value."""
     if _ABOUT.search(text):
         text = _ABOUT.sub(lambda match: match["before"] + blanks(match[0][len(match["before"]) :]), text)
-    text = _ERROR.sub(lambda match: blanks(match[0]), text)
     if "," in text or ";" in text or "&" in text:
         text = _TRANSPOSED.sub(lambda match: blanks(match[0]), text)
     text = _IS.sub(lambda match: f"{match['name']}{'=':>{len(match['sign'])}}", text)
