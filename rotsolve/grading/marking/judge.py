@@ -15,12 +15,13 @@ from rotsolve.grading.comparing.equality import SampledRegion
 from rotsolve.grading.comparing.numbers import measured_unit
 from rotsolve.grading.comparing.readings import COMPONENT, typed_in
 from rotsolve.grading.comparing.scalars import lacking_unit
+from rotsolve.grading.comparing.uncertain import UNCERTAIN
 from rotsolve.grading.marking.cases import Cases
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.target import SceneLetters, Target
 from rotsolve.grading.marking.own_letters import DEFINED
-from rotsolve.grading.marking.texts import CHAIN, EMPTY, JudgedText, Texts
+from rotsolve.grading.marking.texts import ASIDE, CHAIN, EMPTY, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.definitions import Defined
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR
@@ -39,6 +40,8 @@ from rotsolve.grading.verdict import (
 )
 from rotsolve.language import marks
 from rotsolve.solution import Solution
+
+BESIDE = frozenset((ASIDE, CHAIN, COMPONENT, DEFINED, UNCERTAIN))  # kinds of remarks that do not say what a wrong answer comes of
 
 
 class Judge:
@@ -94,7 +97,7 @@ class Judge:
         followed = self._follow(target, text, tuple(wrong.items()), defined) if wrong else None
         if followed is not None:
             return followed, True
-        said = {remark.kind for remark in one.finding.remarks} - {CHAIN, COMPONENT, DEFINED}
+        said = {remark.kind for remark in one.finding.remarks} - BESIDE
         if said - {"sign"} if target.parts else said:  # a sign says little of why a component is wrong
             return one, False
         return self._explain(target, text, defined), False

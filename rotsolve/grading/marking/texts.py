@@ -21,7 +21,7 @@ from rotsolve.grading.comparing.uncertain import with_uncertainty
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Defined, cut_definitions, told_before
-from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
+from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, cut_aside, with_plain_numbers, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import plain_width
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 LONGEST_ECHO = 400  # characters of a line that is said back
 CHAIN = "chain"  # the kind of a remark on the way to an answer
+ASIDE = "aside"  # the kind of a remark on words that are passed over
 EMPTY = "empty"  # the kind of the remark on a text that is no answer, as `?`
 NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
 
@@ -45,6 +46,10 @@ class JudgedText(Struct, frozen=True):
     reading: LineReading | None
     finding: Finding
     read_as: str = ""
+
+    def saying(self, *remarks: Remark) -> JudgedText:
+        """The same with more that is said of it."""
+        return replace(self, finding=replace(self.finding, remarks=(*self.finding.remarks, *remarks)))
 
 
 class Texts:
@@ -89,6 +94,7 @@ class Texts:
             return JudgedText(None, direction_judged(without_letter(text), target))
         if target.parts and self._names_components(target, text):
             return self._in_axes(target, text, defined)
+        text = with_plain_numbers(text, self.names(target))
         text, told = cut_definitions(text, self.names(target), self.letters.constants)
         return self._answering(target, text, (*defined, *told))
 
@@ -98,17 +104,18 @@ class Texts:
         line, before = last_statement(text, names)
         if line != text:
             defined = (*defined, *told_before(text[: len(text) - len(line.lstrip())], names, self.letters.constants))
+        line, aside = cut_aside(line, names)
         line, uncertainty = cut_uncertainty(line)
         one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)
         if uncertainty is not None and one.reading is not None:
             one = replace(one, finding=with_uncertainty(one.finding, one.reading, uncertainty, target.whole))
+        if aside and one.reading is not None:
+            one = one.saying(Remark(ASIDE, (f"`{aside}` is passed over",)))
         near = names.near_name(line)
         if near and one.reading is not None:
-            remark = Remark("letter", (Symbol(near), " is taken as ", Symbol(target.name)))
-            one = replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+            one = one.saying(Remark("letter", (Symbol(near), " is taken as ", Symbol(target.name))))
         if before and self._is_other(target, before, defined):
-            remark = Remark(CHAIN, (f"`{before.strip()}` is another value",))
-            return replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+            return one.saying(Remark(CHAIN, (f"`{before.strip()}` is another value",)))
         return one
 
     def _is_other(self, target: Target, before: str, defined: Defined) -> bool:
@@ -162,8 +169,7 @@ class Texts:
             words = f"can't tell its components in {axes} axes: {other}"
             return JudgedText(None, found(UNDECIDED, "axes", words))
         one = self._told(other, line, defined)
-        remark = Remark("axes", (f"read in {axes} axes",))
-        return replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+        return one.saying(Remark("axes", (f"read in {axes} axes",)))
 
     def _told(self, target: Target, text: str, defined: Defined) -> JudgedText:
         """What is found in an answer: of a vector its named components, the last member of a chain, or one value."""
@@ -229,7 +235,7 @@ class Texts:
             if not by_number.right:
                 reading = number if own.near else in_own_letters(reading, own.numbers)
                 finding = by_number
-        return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *own.remarks)), one.read_as)
+        return JudgedText(reading, finding, one.read_as).saying(*own.remarks)
 
     def _by_scene(self, target: Target, text: str) -> JudgedText:
         """What is found in one value: by the letters of the scene, else with units in it, else with letters of the laws."""

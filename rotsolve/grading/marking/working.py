@@ -25,6 +25,7 @@ from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Defined, definition, is_introduced, without_introduction
+from rotsolve.grading.reading.lines import with_plain_numbers
 from rotsolve.grading.reading.near import with_near
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, plain_width
@@ -162,7 +163,7 @@ class WorkingJudge:
         long = AnswerError.of_length(text)
         if long is not None:
             return Verdict(UNDECIDED, "", (Remark("reading", (str(long),), long.start, long.end),))
-        text = plain_width(text)
+        text = with_plain_numbers(plain_width(text), self.names())
         finding = all_findings(self.link(*link, context) for link in equations_of(text))
         if finding.outcome == UNDECIDED and is_introduced(text):  # the word may be letters of the scene
             bare = without_introduction(text)
