@@ -19,6 +19,7 @@ from rotsolve.grading.comparing.numbers import HALF, Typed, certified_number, is
 from rotsolve.grading.comparing.scalars import (
     Scalar,
     lacking_unit,
+    of_its_way,
     right_but_for_sign,
     too_few,
     turns_round,
@@ -123,8 +124,9 @@ def formula_judged(formula: Formula, direction: str, asked: Scalar, *, measured:
     """The finding for a formula with the direction that words behind it tell; `measured` says that units in it tell what it measures, and
     that this is what is asked for."""
     if not (direction and asked.direction):
-        return undirected_judged(formula, asked, measured)
-    turned = points_other_way(direction, asked.direction)
+        finding = undirected_judged(formula, asked, measured)
+        return of_its_way(finding, direction, asked) if finding.right else finding
+    turned = points_other_way(direction, asked.direction, asked.level)
     if turned is None:
         return found(WRONG, "direction", f"it points another way: {asked.direction}")
     number = certified_number(formula, asked.values)

@@ -41,7 +41,8 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
     """What is asked for: its closed form and its number, which of them there are, and how it is marked.
 
     `direction` is that of its value in words, `positive` that of a positive value where a negative one
-    has another; a `directed` one has a sign by convention. `turns` says that it counts turns.
+    has another; a `directed` one has a sign by convention. `turns` says that it counts turns. `level` is where its direction leads on the
+    level, along a slope, and `sized` the direction of that whose size is asked.
     `dimensions` are those of the letters that an answer may hold, `numbers` theirs in SI units; `answers` are the closed
     forms of all answers.
     """
@@ -61,6 +62,8 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
     positive: str = ""
     directed: bool = False
     turns: bool = False
+    level: str = ""
+    sized: str = ""
 
     @property
     def si(self) -> Unit:
@@ -114,7 +117,7 @@ def lacking_unit(finding: Finding, unit: Unit, asked: Scalar) -> Finding:
 def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Finding | None:
     """The finding where the number is within the tolerance, perhaps with the other sign, or where that can't be told; else None."""
     value = asked.in_unit(unit)
-    turned = points_other_way(direction, asked.direction) if direction and asked.direction else False
+    turned = points_other_way(direction, asked.direction, asked.level) if direction and asked.direction else False
     if turned is None:
         return found(WRONG, "direction", f"it points another way: {asked.direction}")
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
@@ -124,12 +127,21 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
     if holds is None:
         return found(UNDECIDED, "tolerance", "it lies on the edge of the tolerance")
     if holds:
-        return form_judged(typed, value, asked)
+        return of_its_way(form_judged(typed, value, asked), direction, asked)
     if within_tolerance(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
         if turned:
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
         return right_but_for_sign(asked)
     return None
+
+
+def of_its_way(finding: Finding, direction: str, asked: Scalar) -> Finding:
+    """A right size, with what a direction costs that is not that of the quantity: it is marked as a sign is."""
+    if not direction or not asked.sized or points_other_way(direction, asked.sized, asked.level) is False:
+        return finding
+    outcome = finding.outcome if asked.marking.sign == marks.LENIENT else WRONG
+    remark = Remark("direction", (f"the size is right, but it points another way: {asked.sized}",))
+    return Finding(outcome, (*finding.remarks, remark), finding.flaws if outcome != WRONG else ())
 
 
 def right_but_for_sign(asked: Scalar) -> Finding:

@@ -51,7 +51,11 @@ def cut_direction(text: str) -> tuple[str, str]:
     return text, ""
 
 
-def points_other_way(typed: str, sought: str) -> bool | None:
-    """Whether a direction is the other way round, None where it is neither this nor the same."""
+def points_other_way(typed: str, sought: str, level: str = "") -> bool | None:
+    """Whether a direction is the other way round, None where it is neither this nor the same; `level` is a word that may stand for the
+    one sought or beside it, right for down a slope that falls to the right."""
     own, wanted = plain_directions(typed), plain_directions(sought)
-    return False if own == wanted else True if own == frozenset(OPPOSITE.get(word, word) for word in wanted) else None
+    if own == wanted or (level and own and own <= wanted | {level}):
+        return False
+    turned = frozenset(OPPOSITE.get(word, word) for word in wanted)
+    return True if own == turned or (level and own and own <= turned | {OPPOSITE.get(level, level)}) else None

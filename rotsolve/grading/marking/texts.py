@@ -419,7 +419,8 @@ def direction_judged(text: str, target: Target) -> Finding:
     direction = "" if target.whole is None else target.whole.direction
     if not direction:
         return found(WRONG, "form", "words are no answer here")
-    if points_other_way(text, direction) is not False:
+    level = "" if target.whole is None else target.whole.level
+    if points_other_way(text, direction, level) is not False:
         return found(WRONG, "direction", f"it points another way: {direction}")
     if target.directional:
         return Finding(RIGHT)
