@@ -19,16 +19,18 @@ _SYNONYMS = {  # other words for a direction
     "back": "backward backwards",
 }
 SYNONYMS = {word: direction for direction, words in _SYNONYMS.items() for word in words.split()}
-SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SYNONYMS}, key=len)), re.IGNORECASE)
+SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SYNONYMS, "centre", "center"}, key=len)), re.IGNORECASE)
 BESIDE = re.compile(
     r"\b(?:i\.e\.|to the|towards the|straight|vertically|horizontally|directed|pointing|turning it|turning|and|along)(?=\W|$)|,"
 )
-WHERE = re.compile(r"\b(?:(?:round|around|on|in|of|about)\s+)?(?:the|a|an)\s+\w+")
+TO_CENTRE = re.compile(r"\b(?:(?P<to>towards?)|away from) the cent(?:re|er)\b")
+WHERE = re.compile(r"\bum\s+\w+|\b(?:(?:round|around|on|in|of|about)\s+)?(?:the|a|an)\s+\w+")
 
 
 def plain_directions(words: str) -> frozenset[str]:
     """A direction in words as a set of plain ones: "up and to the left" is up, left; where it is ("the slope") goes unsaid."""
-    plain = WHERE.sub(" ", BESIDE.sub(" ", words.lower()))
+    words = TO_CENTRE.sub(lambda match: "inwards" if match["to"] else "outwards", words.lower().strip(" ()."))
+    plain = WHERE.sub(" ", BESIDE.sub(" ", words))
     return frozenset(SYNONYMS.get(word, word) for word in plain.split())
 
 
@@ -41,13 +43,14 @@ def is_direction(words: str) -> bool:
 
 
 def cut_direction(text: str) -> tuple[str, str]:
-    """A line without the direction in words behind its last commas, and these words: `5 N, up and to the left`."""
+    """A line without the direction in words behind its last commas, and these words: `5 N, up and to the left`; of several words,
+    `5 N up and to the left`, without a comma too."""
     if SPOKEN.search(text) is None:
         return text, ""
-    for match in re.finditer(",", text):
+    for match in re.finditer(r",|(?<=\S)\s+", text):
         tail = text[match.end() :]
-        if is_direction(tail):
-            return text[: match.start()], tail.strip()
+        if is_direction(tail) and (match[0] == "," or len(plain_directions(tail)) > 1):
+            return text[: match.start()].rstrip(" ,"), tail.strip()
     return text, ""
 
 

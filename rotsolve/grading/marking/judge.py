@@ -19,8 +19,8 @@ from rotsolve.grading.comparing.uncertain import UNCERTAIN
 from rotsolve.grading.marking.cases import Cases
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
-from rotsolve.grading.marking.target import SceneLetters, Target
 from rotsolve.grading.marking.own_letters import DEFINED
+from rotsolve.grading.marking.target import SceneLetters, Target
 from rotsolve.grading.marking.texts import ASIDE, CHAIN, EMPTY, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.definitions import Defined
@@ -41,7 +41,9 @@ from rotsolve.grading.verdict import (
 from rotsolve.language import marks
 from rotsolve.solution import Solution
 
-BESIDE = frozenset((ASIDE, CHAIN, COMPONENT, DEFINED, UNCERTAIN))  # kinds of remarks that do not say what a wrong answer comes of
+BESIDE = frozenset(
+    (ASIDE, CHAIN, COMPONENT, DEFINED, UNCERTAIN)
+)  # kinds of remarks that do not say what a wrong answer comes of
 
 
 class Judge:

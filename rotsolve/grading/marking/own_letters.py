@@ -22,7 +22,11 @@ from rotsolve.grading.reading.records import FORMULA, NUMBER, LineReading
 from rotsolve.grading.verdict import Remark
 
 DEFINED = "defined"  # the kind of the remark on a letter that is not what it is in the scene
-EXACTLY, ROUNDED, NEAR = 1e-12, 1 / 400, 1 / 20  # the shares by which a given, and what is worked out, may differ; a rounded given
+EXACTLY, ROUNDED, NEAR = (
+    1e-12,
+    1 / 400,
+    1 / 20,
+)  # the shares by which a given, and what is worked out, may differ; a rounded given
 
 
 class OwnLetters(Struct, frozen=True):

@@ -46,7 +46,9 @@ def level_side(problem: Problem, find: Find, direction: str) -> str:
         return ""
     owner = find.terms[0].path.owner if find.terms else ""
     slopes = {surface.name: surface.down for surface in problem.surfaces if isinstance(surface, Slope)}
-    touched = {name for one in problem.connections if owner in (held := owners_in(one)) for name in held & slopes.keys()}
+    touched = {
+        name for one in problem.connections if owner in (held := owners_in(one)) for name in held & slopes.keys()
+    }
     sides = {slopes[name] for name in touched or slopes}
     down = sides.pop() if len(sides) == 1 else ""
     return ACROSS.get(down, "") if way == "up" else down

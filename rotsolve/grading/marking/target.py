@@ -191,7 +191,7 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
         turns = [term.path.quantity for term in find.terms] == ["turns"]
         whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, turns)
         if whole is not None:
-            sized = sized_direction(letters, find)
+            sized = "" if answer.direction else sized_direction(letters, find)
             level = level_side(letters.problem, find, answer.direction or sized)
             whole = replace(whole, sized=sized, level=level) if sized or level else whole
         directional = told and bool(answer.direction)

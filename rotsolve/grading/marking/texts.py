@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, Formula, Symbol
+from rotsolve.algebra.formula import ONE, Symbol
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
@@ -24,6 +24,7 @@ from rotsolve.grading.reading.definitions import Defined, cut_definitions, told_
 from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, cut_aside, with_plain_numbers, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
 from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
+from rotsolve.grading.reading.spoken import in_english
 from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.reading.uncertainty import cut_uncertainty
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, Remark, found
@@ -85,7 +86,7 @@ class Texts:
         long = AnswerError.of_length(text)
         if long is not None:
             return unreadable(long)
-        text = plain_width(text)
+        text = in_english(plain_width(text))
         if NOTHING.fullmatch(text):
             return JudgedText(None, found(WRONG, EMPTY, "not answered"))
         if target.word:
@@ -95,7 +96,7 @@ class Texts:
         if target.parts and self._names_components(target, text):
             return self._in_axes(target, text, defined)
         text = with_plain_numbers(text, self.names(target))
-        text, told = cut_definitions(text, self.names(target), self.letters.constants)
+        text, told = cut_definitions(text, self.names(target), self.letters.constants, self.letters.dimensions)
         return self._answering(target, text, (*defined, *told))
 
     def _answering(self, target: Target, text: str, defined: Defined) -> JudgedText:
@@ -103,7 +104,9 @@ class Texts:
         names = self.names(target)
         line, before = last_statement(text, names)
         if line != text:
-            defined = (*defined, *told_before(text[: len(text) - len(line.lstrip())], names, self.letters.constants))
+            front = text[: len(text) - len(line.lstrip())]
+            told = told_before(front, names, self.letters.constants, self.letters.dimensions)
+            defined = (*defined, *told)
         line, aside = cut_aside(line, names)
         line, uncertainty = cut_uncertainty(line)
         one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)

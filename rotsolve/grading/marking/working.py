@@ -147,7 +147,9 @@ class WorkingJudge:
         found: list[tuple[int, str, Formula]] = []
         for index, text in enumerate(texts):
             own = self.letters.constants | (self.letters.givens if is_introduced(text) else frozenset())
-            told = definition(plain_width(text), names, own) if own and len(text) <= MAX_LENGTH else None
+            told = None
+            if own and len(text) <= MAX_LENGTH:
+                told = definition(plain_width(text), names, own, self.letters.dimensions)
             if told is not None and told[0] in own:
                 found.append((index, told[0], told[1].substitute(put)))
         return tuple(found)

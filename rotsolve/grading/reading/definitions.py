@@ -13,9 +13,10 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.letters import GREEK_LETTERS, spellings
 from rotsolve.algebra.notation.tokens import FormulaError
+from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.grading.reading.answers import read_line, si_formula
 from rotsolve.grading.reading.prose import JOIN, JOINING
-from rotsolve.grading.reading.records import FORMULA, NUMBER, AnswerError, Names
+from rotsolve.grading.reading.records import FORMULA, NUMBER, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import tokens_of
 from rotsolve.grading.reading.vocabulary import run_meaning
 
@@ -38,7 +39,8 @@ _INTRODUCED = re.compile(rf"^[\s$]*{_WORD}", re.IGNORECASE)
 _BETWEEN = re.compile(rf"(?:{JOIN}|(?<![\w\\])(?:{JOINING})(?!\w))")
 MOST_DEFINED = 8  # letters in one statement
 
-Definitions = Mapping[str, Formula]
+Dimensions = Mapping[str, Dimension]
+NO_DIMENSIONS: Dimensions = {}
 Defined = tuple[tuple[str, Formula], ...]  # letters that the student defined, with what they stand for
 
 
@@ -49,13 +51,15 @@ class Clause(Struct, frozen=True):
     value: str
 
 
-def definition(text: str, names: Names, own: frozenset[str] = frozenset()) -> tuple[str, Formula] | None:
+def definition(
+    text: str, names: Names, own: frozenset[str] = frozenset(), dimensions: Dimensions = NO_DIMENSIONS
+) -> tuple[str, Formula] | None:
     """The letter that a line of working defines, and what it stands for; None where it defines none.
 
-    `own` are letters of the scene that may be defined too.
+    `own` are letters of the scene that may be defined too, `dimensions` what they measure.
     """
     match = _TELLS.match(text)
-    told = () if match is None else defined_by([Clause(match["name"], match["value"])], names, own)
+    told = () if match is None else defined_by([Clause(match["name"], match["value"])], names, own, dimensions)
     return told[0] if told else None
 
 
@@ -69,10 +73,12 @@ def without_introduction(text: str) -> str:
     return _INTRODUCED.sub(lambda match: " " * len(match[0]), text)
 
 
-def cut_definitions(text: str, names: Names, laws: frozenset[str]) -> tuple[str, Defined]:
+def cut_definitions(
+    text: str, names: Names, laws: frozenset[str], dimensions: Dimensions = NO_DIMENSIONS
+) -> tuple[str, Defined]:
     """An answer without the clauses in front of it and behind it that define letters, and these with what they stand for.
 
-    `laws` are letters of the laws that the student may define beside those of the scene.
+    `laws` are letters of the laws that the student may define beside those of the scene, `dimensions` what these measure.
     """
     line, own = text, names.letters | laws
     before, behind = list[Clause](), list[Clause]()
@@ -92,25 +98,27 @@ def cut_definitions(text: str, names: Names, laws: frozenset[str]) -> tuple[str,
         end = len(rest.rstrip(" ,;"))
     if open_:
         behind, end = [], len(line)
-    told = defined_by((*before, *behind), names, own)
+    told = defined_by((*before, *behind), names, own, dimensions)
     return (line[:end], told) if told else (text, ())
 
 
-def told_before(text: str, names: Names, laws: frozenset[str]) -> Defined:
+def told_before(text: str, names: Names, laws: frozenset[str], dimensions: Dimensions = NO_DIMENSIONS) -> Defined:
     """The letters that the statements before the one that answers define: `I = M R²; …`."""
     own = names.letters | laws
     matches = (_TELLS.match(piece) for piece in _BETWEEN.split(text))
     clauses = (Clause(match["name"], match["value"]) for match in matches if match is not None)
-    return defined_by([one for one in clauses if can_be_defined(one.typed, names, own)], names, own)
+    return defined_by([one for one in clauses if can_be_defined(one.typed, names, own)], names, own, dimensions)
 
 
-def defined_by(clauses: Sequence[Clause], names: Names, own: frozenset[str]) -> Defined:
+def defined_by(
+    clauses: Sequence[Clause], names: Names, own: frozenset[str], dimensions: Dimensions = NO_DIMENSIONS
+) -> Defined:
     """The letters of clauses, each in letters that none of the others defines: k = I/(m R²), I = M R²; nothing where one can't be read."""
     called = [_letter_defined(one.typed, names, own) for one in clauses]
     known = Names(names.givens | own | set(called), names.answers)
     found: dict[str, Formula] = {}
     for name, one in zip(called, clauses, strict=True):
-        form = _value(one.value, known) if name else None
+        form = _value(one.value, known, name, dimensions) if name else None
         if form is None:
             return ()
         found[name] = form
@@ -156,11 +164,22 @@ def _letter_defined(typed: str, names: Names, own: frozenset[str]) -> str:
     return held or spellings(name)[0]
 
 
-def _value(text: str, names: Names) -> Formula | None:
-    """What a definition says, in SI units."""
+def _value(text: str, names: Names, name: str, dimensions: Dimensions) -> Formula | None:
+    """What a definition says, in SI units, by the reading that measures what the letter does: m = 5 g is five grams, M = 2 m twice m."""
     try:
-        readings = read_line(text, names)
+        readings = [one for one in read_line(text, names) if one.kind in (FORMULA, NUMBER)]
     except AnswerError:
         return None
-    formulas = (si_formula(one) for one in readings if one.kind in (FORMULA, NUMBER))
-    return next((one for one in formulas if one is not None), None)
+    wanted = dimensions.get(name)
+    fitting = [one for one in readings if wanted is not None and _measures(one, wanted, dimensions)]
+    return next((form for one in (*fitting, *readings) if (form := si_formula(one)) is not None), None)
+
+
+def _measures(reading: LineReading, wanted: Dimension, dimensions: Dimensions) -> bool:
+    """Whether a reading measures what is wanted, as far as that is known."""
+    if reading.unit is not None:
+        return reading.unit.dimension.matches(wanted)
+    try:
+        return reading.formula is not None and dimension_of(reading.formula, dimensions).matches(wanted)
+    except (DimensionError, KeyError):
+        return False

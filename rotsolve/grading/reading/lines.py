@@ -32,7 +32,9 @@ _TRANSPOSED = re.compile(
     r"(?<=[\])}])\s*(?:\^\s*(?:\{\s*)?(?:\\(?:top|mathsf\{T\}|mathrm\{T\}|intercal)|T(?![A-Za-z]))(?:\s*\})?|ᵀ)"
 )
 _TIMES_TEN = re.compile(r"(?<=[0-9])(?P<gap>\s*)[xX](?=\s*10\s*(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))")  # 5.12x10^-1
-_THOUSANDS = re.compile(r"(?<![\w.,^])[0-9]{1,3}(?:(?:[ \u00a0\u2009\u202f'’]|\\,)[0-9]{3})+(?![\w^]|[⁻⁰¹²³⁴-⁹])")  # 14 700
+_THOUSANDS = re.compile(
+    r"(?<![\w.,^])[0-9]{1,3}(?:(?:[ \u00a0\u2009\u202f'’]|\\,)[0-9]{3})+(?![\w^]|[⁻⁰¹²³⁴-⁹])"
+)  # 14 700
 _ASIDE = re.compile(r"(?<=[\w.²³°)])\s+\((?P<words>[A-Za-zäöüß][A-Za-zäöüß ,'’-]+)\)[\s.]*$")
 _DENIES = frozenset(("not", "no", "or", "if", "when", "wrong", "nicht", "oder", "falls", "wenn", "minus", "times"))
 LEAST_WORD = 3  # letters of a word in an aside, else they may be letters of the scene

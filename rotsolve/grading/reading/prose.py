@@ -23,9 +23,7 @@ SAYS = frozenset(
     ("is", "are", "equals", "ist", "sind", "beträgt", "be", "gives", "yields", "was")
 )  # what stands for `=`
 _WORD = re.compile(r"[A-Za-zäöüßÄÖÜ]+(?:['’-][A-Za-z]+)*(?!\w)")
-JOIN = (
-    r"[,;:]|\.(?=\s)|→|⇒|⟹|⟶|=>|[-–]+>|∴|\\(?:Longr|R|r)ightarrow(?![A-Za-z])|\\(?:implies|to|therefore)(?![A-Za-z])"
-)
+JOIN = r"[,;:]|\.(?=\s)|→|⇒|⟹|⟶|=>|[-–]+>|∴|\\(?:Longr|R|r)ightarrow(?![A-Za-z])|\\(?:implies|to|therefore)(?![A-Za-z])"
 JOINING = r"so|hence|thus|therefore|then|giving|gives?|yields?|and|which|also|daher|somit|folglich"
 _EQUALS = r"(?:[=≈≃]|\\(?:approx|simeq)(?![A-Za-z]))"
 _NAME = r"\\?[^\W\d_](?:\w|\{[^{}]*\}|\\(?=[a-z]))*"

@@ -47,7 +47,7 @@ _HINT = re.compile(
 # What is rare is compiled when a line first needs it.
 _SPLIT = (
     r"(?:\s*(?<!\\)[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|(?<!\\)(?:;|(?<![0-9]),|,(?![0-9])))(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
-    r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
+    r"(?=(?:[^,;]|(?<=[0-9]),(?=[0-9]))*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
 )
 _DIRECTION_WORD = (
     r"above|below|under|over|up(?:wards?)?|down(?:wards?)?|left|right|of|to|from|with|the|horizontal|vertical|negative|positive|and|on|side"
@@ -386,13 +386,15 @@ def cut_polar(text: str, start: int) -> SizeAndAngle | None:
     match = re.compile(_SPLIT).search(text, start)
     if match is None:
         return None
-    size = text[start : match.start()]
+    said = re.compile(_PHRASE).search(text[: match.start()], start)  # 5 N, up and to the left, at 53°
+    end = match.start() if said is None or not said[0].strip(" ,.$)-") else said.start()
+    size = text[start:end].rstrip(" ,")
     if not size.strip() or size.count("(") != size.count(")"):
         return None
     phrase = re.compile(_PHRASE).search(text, match.end())
     assert phrase is not None
-    words = frozenset(re.findall(r"[a-z]+|[-−](?=[xy])", phrase[0].lower()))
-    return SizeAndAngle(match.start(), match.end(), phrase.start(), words)
+    words = frozenset(re.findall(r"[a-z]+|[-−](?=[xy])", f"{text[end : match.start()]} {phrase[0]}".lower()))
+    return SizeAndAngle(start + len(size), match.end(), phrase.start(), words)
 
 
 def counterclockwise_angle(angle: Formula, half: Formula, cut: SizeAndAngle, forks: Forks) -> Formula:
