@@ -212,7 +212,7 @@ def put_in_beside(formula: Formula, asked: Scalar) -> Finding | None:
 
 
 def multiple_judged(formula: Formula, asked: Scalar) -> Finding | None:
-    """The finding for a decimal times letters, 0.343 g, that is the answer for the numbers of the scene alone: it is a number; else None."""
+    """The finding for a decimal times letters, 0.343 g, that is the answer for the scene's own numbers: it is a number; else None."""
     decimals = [value for value in numbers_in(formula) if decimal_places(value)]
     if asked.value is None or len(decimals) != 1 or formula.holds(Sum, Call) or not formula.symbols():
         return None

@@ -156,7 +156,8 @@ def rounds_to(typed: Typed, value: Certified) -> bool:
 
 
 def figures_that_hold(typed: Typed, value: Certified) -> int:
-    """To how many of its figures the typed number is the other, rounded; 0 where it is not. Zeros that need not count leave two at least."""
+    """To how many of its figures the typed number is the other, rounded; 0 where it is not. Without zeros that need not count, two at
+    least are left."""
     figures, sure = typed.figures or 0, typed.sure_figures or 0
     for count in range(figures, min(figures, max(sure, LEAST_FIGURES)) - 1, -1):
         half = typed.half_unit_of(count or None)

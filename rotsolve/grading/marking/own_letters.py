@@ -1,7 +1,7 @@
 """Own letters: what an answer says by the letters as its student defined them, `m g/(m + I/R²) with I = M R²`, `… with g = 10 m/s²`.
 
-A letter of the student's, or of the laws, stands for what is said of it. A letter of the scene that gets another number changes nothing of a
-formula, but it is judged with that number: the tolerance decides. What differs from the scene is always said.
+A letter of the student's, or of the laws, stands for what is said of it. A letter of the scene that gets another number changes nothing
+of a formula, but it is judged with that number: the tolerance decides. What differs from the scene is always said.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Pointing: which way an answer points beside its own words: along a slope to the left or right too, and that of which the size is asked."""
+"""Pointing: which way an answer points beside its own words: along a slope to the left or right too, and what it is the size of."""
 
 from __future__ import annotations
 
