@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
 import pytest
 
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.formula import Number
+from rotsolve.grading.comparing.numbers import figures_that_hold
+from rotsolve.grading.comparing.readings import typed_in
 from rotsolve.grading.marking.judge import Judge
+from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.records import Names
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Paper
 from rotsolve.page.blocks import Amount
 from rotsolve.page.languages import LANGUAGES, language_named
@@ -108,12 +115,22 @@ def test_figures_of_block_on_disc(name: str, text: str, marks: str) -> None:
     assert str(part(DISC, name, text).marks) == marks
 
 
-def test_zeros_at_the_end_count_where_that_helps() -> None:
-    for value, text, right in ((39.52, "40", True), (10.29, "10", True), (144.8, "100", False), (1234, "1200", True)):
-        scene = f"given: {{m: {value} kg, F: 1 N}}\nbodies: {{block: {{mass: m, moves: right}}}}\nactions: [{{force: F, on: block}}]\n"
-        found = part(f"{scene}find: {{p: m*block.acceleration*{value}}}\n", "p", f"{text} N")
-        assert ("figures" in kinds(found)) is right, text
-        assert bool(found.marks) is right
+@pytest.mark.parametrize(
+    ("wanted", "text", "figures"),
+    [
+        ("39.52", "40", 2),
+        ("10.29", "10", 2),
+        ("144.8", "100", 0),
+        ("1234", "1200", 2),
+        ("1200.4", "1200", 4),
+        ("44.9", "40", 0),
+    ],
+)
+def test_zeros_at_the_end_count_where_that_helps(wanted: str, text: str, figures: int) -> None:
+    (reading,) = read_line(text, Names.of(()))
+    assert figures_that_hold(typed_in(reading), evaluate(Number(Fraction(wanted)), {})) == figures
+    (sure,) = read_line(f"{int(text)}.", Names.of(()))  # all of them count
+    assert figures_that_hold(typed_in(sure), evaluate(Number(Fraction(wanted)), {})) in (0, len(text))
 
 
 def test_a_word_for_the_level_is_no_other_way() -> None:

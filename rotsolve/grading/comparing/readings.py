@@ -35,6 +35,8 @@ def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
         if isinstance(meant, Remark):
             return Finding(WRONG, (meant,))
         return formula_judged(reading.formula, reading.direction, asked, measured=meant is not None)
+    if reading.polar and reading.polar[0].direction and asked.direction:  # what has a direction in words alone
+        return scalar_judged(reading.polar[0], asked)
     wanted = "a formula" if asked.value is None else "a number or a formula"
     return found(WRONG, "form", f"{wanted} is asked for{', not components' if reading.kind == VECTOR else ''}")
 

@@ -23,7 +23,7 @@ from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.definitions import Defined, cut_definitions, told_before
 from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, cut_aside, with_plain_numbers, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
-from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
+from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.spoken import in_english
 from rotsolve.grading.reading.tokens import plain_width
 from rotsolve.grading.reading.uncertainty import cut_uncertainty
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 LONGEST_ECHO = 400  # characters of a line that is said back
 CHAIN = "chain"  # the kind of a remark on the way to an answer
+MISFIT = 4  # the preference of a reading that does not measure what is asked
 ASIDE = "aside"  # the kind of a remark on words that are passed over
 EMPTY = "empty"  # the kind of the remark on a text that is no answer, as `?`
 NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
@@ -262,7 +263,16 @@ class Texts:
         if not others:
             return best
         other = self._best(target, text, with_direction(others, direction))
+        if best.reading is None and self._is_rather_letters(target, other):
+            return best
         return other if best.reading is None or preference(other.finding) < preference(best.finding) else best
+
+    def _is_rather_letters(self, target: Target, one: JudgedText) -> bool:
+        """Whether a unit that does not measure what is asked has letters of the scene in it, as N/m behind a formula with m."""
+        if preference(one.finding) != MISFIT or one.reading is None or one.reading.unit is None:
+            return False
+        words = re.findall(r"[^\W\d_]+", one.reading.unit.text)
+        return one.reading.kind == FORMULA and not self.names(target).letters.isdisjoint(words)
 
     def _readings(self, target: Target, line: str) -> tuple[LineReading, ...]:
         """All readings that a line allows by the letters of the scene."""
@@ -398,7 +408,7 @@ def preference(finding: Finding) -> int:
     if any(remark.kind == VALUELESS for remark in finding.remarks):
         return 5
     if finding.outcome == WRONG and any(remark.kind == "dimension" for remark in finding.remarks):
-        return 4  # another reading measures what is asked
+        return MISFIT  # another reading measures what is asked
     return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
 

@@ -368,12 +368,13 @@ def without_brackets(tokens: list[Token]) -> list[Token]:
 
 
 class SizeAndAngle(Struct, frozen=True):
-    """A line cut into a size, up to `end`, and an angle from `start` to `stop`, with the words behind it."""
+    """A line cut into a size, up to `end`, and an angle from `start` to `stop`, with the words behind it and the `direction` before it."""
 
     end: int
     start: int
     stop: int
     words: frozenset[str]
+    direction: str = ""
 
     def any(self, *words: str) -> bool:
         return not self.words.isdisjoint(words)
@@ -394,7 +395,8 @@ def cut_polar(text: str, start: int) -> SizeAndAngle | None:
     phrase = re.compile(_PHRASE).search(text, match.end())
     assert phrase is not None
     words = frozenset(re.findall(r"[a-z]+|[-−](?=[xy])", f"{text[end : match.start()]} {phrase[0]}".lower()))
-    return SizeAndAngle(start + len(size), match.end(), phrase.start(), words)
+    direction = text[end : match.start()].strip(" ,")
+    return SizeAndAngle(start + len(size), match.end(), phrase.start(), words, direction)
 
 
 def counterclockwise_angle(angle: Formula, half: Formula, cut: SizeAndAngle, forks: Forks) -> Formula:
@@ -436,4 +438,5 @@ def polar_vector(size: LineReading, angle: LineReading, cut: SizeAndAngle, forks
         text = to_text(value) if size.unit is None else size.unit.after(to_text(value))
         parts.append(LineReading(size.kind, text, value, size.unit, size.figures))
     written = f"{size.text} at {shown}"
-    return LineReading(VECTOR, written, unit=size.unit, parts=tuple(parts), remarks=remarks, polar=(size, angle))
+    polar = (replace(size, direction=cut.direction), angle)
+    return LineReading(VECTOR, written, unit=size.unit, parts=tuple(parts), remarks=remarks, polar=polar)
