@@ -407,7 +407,7 @@ def preference(finding: Finding) -> int:
         return 1
     if any(remark.kind == VALUELESS for remark in finding.remarks):
         return 5
-    if finding.outcome == WRONG and any(remark.kind == "dimension" for remark in finding.remarks):
+    if finding.outcome == WRONG and any(remark.kind in ("dimension", "form") for remark in finding.remarks):
         return MISFIT  # another reading measures what is asked
     return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
