@@ -34,9 +34,9 @@ from rotsolve.core.symbols import TIME
 from rotsolve.grading.marking.explaining import Explaining
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target
-from rotsolve.grading.mistakes.table import Wrong
+from rotsolve.grading.mistakes.wrong_answers import Wrong
 from rotsolve.grading.verdict import Paper
-from rotsolve.process import GARBAGE
+from rotsolve.start import GARBAGE
 
 PROBLEMS = Path(__file__).resolve().parent.parent / "problems"
 EACH = 4  # of so many problem files, one is taken
@@ -216,6 +216,18 @@ def marked_class(asked: Sequence[Subject], each: int, random: Random) -> list[tu
     return times
 
 
+def each_first(asked: Sequence[Subject], random: Random) -> list[float]:
+    """The milliseconds of a wrong line of each kind for one answer, each as if it were the first of its problem."""
+    times = []
+    for _, subject, text in class_of([random.choice(asked)], 1, random):
+        judge = Judge(subject.judge.letters.solution)
+        judge.texts.targets  # noqa: B018 -- what right lines need too
+        start = time.process_time()
+        judge.mark(Paper("", {subject.target.name: text}))
+        times.append((time.process_time() - start) * 1e3)
+    return times
+
+
 def of_long_line(subject: Subject) -> float:
     """The milliseconds for a paper with an answer and a line of working of a million characters."""
     text = "m g + " * (LONG // 6)
@@ -237,6 +249,7 @@ def wrong_page(each: int, seed: int) -> str:
         for kind, spent in marked_class(asked, each, random):
             found.setdefault(kind, []).append(spent)
     found["all of them"] = [one for times in found.values() for one in times]
+    found["each as the first"] = [one for asked in by_scene.values() for one in each_first(asked, random)]
     rows = [
         (kind, str(len(times)), *(f"{value:.1f}" for value in (share(times, 0.5), share(times, 0.9), max(times))))
         for kind, times in found.items()

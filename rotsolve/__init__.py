@@ -12,9 +12,11 @@ docs/python.md describes all of it. Everything is imported when it is first used
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
+TYPE_CHECKING = False  # by its name a type checker takes it for true; `typing` alone takes 2 ms to load
 if TYPE_CHECKING:
+    from typing import Any
+
     from rotsolve.arrays import ManyAnswers, NotForMany
     from rotsolve.core.faults import (
         Contradicted,
@@ -29,7 +31,7 @@ if TYPE_CHECKING:
     from rotsolve.grading.course.checked import CheckedPaper, VerdictView
     from rotsolve.grading.course.checked import check_answers as check
     from rotsolve.grading.course.examiner import NotMarked
-    from rotsolve.grading.course.sheet import HandedInError
+    from rotsolve.grading.course.handed_in import HandedInError
     from rotsolve.language.problem import Problem
     from rotsolve.pipeline import solve
     from rotsolve.scene.read import read_source as read
@@ -56,7 +58,7 @@ _HOMES = {  # the modules that define public names, which are their own there, o
     ),
     "rotsolve.grading.course.checked": {"CheckedPaper": "", "VerdictView": "", "check": "check_answers"},
     "rotsolve.grading.course.examiner": {"NotMarked": ""},
-    "rotsolve.grading.course.sheet": {"HandedInError": ""},
+    "rotsolve.grading.course.handed_in": {"HandedInError": ""},
     "rotsolve.language.problem": {"Problem": ""},
     "rotsolve.pipeline": {"solve": ""},
     "rotsolve.scene.read": {"read": "read_source"},

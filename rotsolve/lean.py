@@ -5,7 +5,9 @@ something is asked of it that it can't tell yet, so whatever runs finds what it 
 
 - PyYAML: its parser in C needs the events and a few errors, but not the loaders in Python, whose patterns take 6 ms to compile;
 - msgspec: records need none of its encoders;
-- inspect: flint's modules ask it for the flags of functions alone, and `platform`, which uuid asks for the name of the system.
+- inspect: flint's modules ask it for the flags of functions alone, and `platform`, which uuid asks for the name of the system;
+- datetime: all that msgspec asks of it is in C; up to Python 3.11 it is made in Python too before that takes its place;
+- FLINT: of its 9000 calls from one function to another a scene makes a few dozen, so that each is bound when it is first made (1.1 ms).
 
 Our own modules, two hundred to a scene, are loaded from where they are known to be: looking for them would take a twentieth of a cold run.
 What all runs have loaded is read in one piece (`together`), which saves another tenth.
@@ -16,11 +18,15 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
+from importlib import import_module
 from importlib._bootstrap_external import MAGIC_NUMBER
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from marshal import dumps, loads
 from types import CodeType, ModuleType, SimpleNamespace
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    from mmap import mmap
 
 CODE_FLAGS = {  # of CPython's functions, as `inspect` has them
     "CO_OPTIMIZED": 1,
@@ -47,6 +53,7 @@ ERRORS = {  # of PyYAML, by the modules that its parser in C has them from; whet
 }
 
 
+LARGE = 1_000_000  # bytes
 UNCHANGED = MAGIC_NUMBER + bytes(4)  # how bytecode begins that goes by the time and size of its source
 
 
@@ -64,18 +71,26 @@ class Near(SourceFileLoader):
 
     @classmethod
     def find_spec(cls, name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
-        """Where a module within one of our packages is; None for packages, and where it is in no such file."""
+        """Where a module or a package within one of our packages is; None where it is in no such file."""
         if path is None or not name.startswith("rotsolve."):
             return None
-        folder, last = path[0], name.rpartition(".")[2]
+        last = name.rpartition(".")[2]
+        return cls.spec_in(name, path[0], last) or cls.spec_in(name, f"{path[0]}{os.sep}{last}", "__init__")
+
+    @classmethod
+    def spec_in(cls, name: str, folder: str, last: str) -> ModuleSpec | None:
+        """Where module `name` is, if `last` is its file in `folder`."""
         file = f"{folder}{os.sep}{last}.py"
         try:
             source = os.stat(file)
         except OSError:
             return None
         kept = f"{folder}{os.sep}__pycache__{os.sep}{last}.{sys.implementation.cache_tag}.pyc"
-        spec = ModuleSpec(name, cls(name, file, source, kept), origin=file)
+        package = last == "__init__"
+        spec = ModuleSpec(name, cls(name, file, source, kept), origin=file, is_package=package)
         spec.has_location, spec.cached = True, kept
+        if package:
+            spec.submodule_search_locations = [folder]
         return spec
 
     def get_code(self, fullname: str) -> CodeType | None:
@@ -90,14 +105,23 @@ class Near(SourceFileLoader):
     def read_code(self, head: bytes) -> CodeType | None:
         """The bytecode from a file of its own that begins with `head`."""
         try:
-            with open(self.kept, "rb", 0) as file:
-                data = file.read()
+            data = contents(self.kept)
         except OSError:
             return None
         if data[:16] != head:
             return None
         code: CodeType = loads(memoryview(data)[16:])
         return code if code.co_filename == self.path else None
+
+
+def contents(path: str) -> bytes | mmap:
+    """What is in a file; a large one is looked at where the system holds it, for to read it into new memory takes 2 ms for each 4 MB."""
+    with open(path, "rb", 0) as file:
+        if os.fstat(file.fileno()).st_size < LARGE:
+            return file.read()
+        from mmap import ACCESS_READ, mmap
+
+        return mmap(file.fileno(), 0, access=ACCESS_READ)
 
 
 def bytecode_head(marks: tuple[int, int]) -> bytes:
@@ -142,8 +166,6 @@ class PutOff(ModuleType):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
-        from importlib import import_module
-
         if sys.modules.get(self.__name__) is self:
             del sys.modules[self.__name__]
         return getattr(import_module(self.__name__), name)
@@ -153,6 +175,10 @@ def leave_out() -> None:
     """Put off what no scene needs; what is imported already stays."""
     if sys.pycache_prefix is None and not sys.flags.optimize and Near not in sys.meta_path:
         sys.meta_path.insert(0, Near)
+    if hasattr(sys, "setdlopenflags"):
+        sys.setdlopenflags(os.RTLD_LAZY)
+    if "datetime" not in sys.modules:
+        PutOff("datetime", **public(import_module("_datetime")))
     for name in ENCODERS:
         if "msgspec" not in sys.modules:
             PutOff(f"msgspec.{name}")
@@ -164,9 +190,13 @@ def leave_out() -> None:
         put_off_yaml()
 
 
+def public(module: ModuleType) -> dict[str, Any]:
+    """What a module has, but what Python knows of it."""
+    return {name: item for name, item in vars(module).items() if not name.startswith("__")}
+
+
 def put_off_yaml() -> None:
     """PyYAML with its parser in C alone; the whole package where there is none."""
-    from importlib import import_module
     from importlib.machinery import PathFinder
 
     spec = PathFinder.find_spec("yaml")
@@ -188,5 +218,4 @@ def put_off_yaml() -> None:
         while loader.check_event():
             yield loader.get_event()
 
-    own = {name: item for module in (error, events) for name, item in vars(module).items() if not name.startswith("__")}
-    package.__dict__.update(own, CSafeLoader=CParser, parse=parse)
+    package.__dict__.update(public(error), **public(events), CSafeLoader=CParser, parse=parse)

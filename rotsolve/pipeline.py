@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import witnessed
+from rotsolve.algebra.certified.ball import refuse_digits, witnessed
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.effort import Exhausted, at_most
+from rotsolve.algebra.effort import Exhausted, at_most, rarely_collecting
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.units.dimension import base_unit_text
 from rotsolve.algebra.units.quantities import parse_quantity
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from rotsolve.search.acting import ActingWays
     from rotsolve.search.complete import FollowedCourses
 
-DIGITS, MOST_DIGITS = 4, 1000
+DIGITS = 4
 FEW_LETTERS = 4  # that a message names
 STEPS = 20_000  # of work for a scene
 TRIAL_STEPS = STEPS // 10  # of work for one that is only tried, for a word of help
@@ -81,15 +81,15 @@ def solve_problem(
     problem: Problem, *, law: str | None = None, digits: int = DIGITS, at: str | None = None, confirm: bool = True
 ) -> Solution:
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
-    if not 1 <= digits <= MOST_DIGITS:
-        raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
+    refuse_digits(digits)
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
-    solution = refused_fairly(problem, law, digits, at)
-    again = partial(solve_problem, problem, law=law, digits=digits, at=at, confirm=confirm)
-    trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
-    solution = replace(solution, trace=trace)
-    return held_against_assembly(solution, problem) if confirm else solution
+    with rarely_collecting():
+        solution = refused_fairly(problem, law, digits, at)
+        again = partial(solve_problem, problem, law=law, digits=digits, at=at, confirm=confirm)
+        trace = replace(solution.trace, again=again, anew=partial(solved_anew, problem, law, digits, at))
+        solution = replace(solution, trace=trace)
+        return held_against_assembly(solution, problem) if confirm else solution
 
 
 def solved_anew(

@@ -6,6 +6,7 @@ The cheapest ones, as `matching` finds them. No equation tells what stands withi
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -18,6 +19,19 @@ from rotsolve.matching import Candidate, Matching, Plan, cheapest_plan, needed, 
 # what a definition costs more once it has been used: it leads from what an answer is made of to the answer
 BACKWARDS = 6
 PATIENCE = 2_000_000  # work for plans of a scene that are made only to avoid equations of constant acceleration: pairs of equations
+
+
+def alike_to_plans(one: Equation, other: Equation, known: AbstractSet[str]) -> bool:
+    """Whether all is the same of two equations of which a plan is made, so that it can't tell them apart where some letters are known."""
+    if replace(one, left=other.left, right=other.right, common=other.common) != other:
+        return False
+    sides = ((one.left, other.left), (one.right, other.right))
+    if (
+        any(mine.symbols() - known != yours.symbols() - known for mine, yours in sides)
+        or one.summed() != other.summed()
+    ):
+        return False
+    return all(type(mine) is type(yours) and mine.holds(Sum) == yours.holds(Sum) for mine, yours in sides)
 
 
 class Shortage(Struct, frozen=True):
@@ -74,8 +88,8 @@ class Planner:
 
     def unknowns(self, known: Collection[str], indices: Iterable[int]) -> dict[int, tuple[str, ...]]:
         """What equations hold that is not known."""
-        given = frozenset(known)
-        return {index: tuple(sorted(self.symbols[index] - given)) for index in indices}
+        given, symbols = frozenset(known), self.symbols
+        return {index: tuple(sorted(symbols[index] - given)) for index in indices}
 
     def cheapest(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
         """The cheapest plan for `asked` with some equations, of which the unknowns are told; None where there is none."""

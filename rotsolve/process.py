@@ -11,14 +11,11 @@ from contextlib import contextmanager
 from typing import NoReturn
 
 SOLVED, UNSOLVED, USAGE, BROKEN_PIPE, INTERRUPTED = 0, 1, 2, 141, 130
-# new objects after which Python looks for cycles among them; a scene makes few, and most live to its end
-GARBAGE = 100_000
 
 
 def leave_after(work: Callable[[], object]) -> NoReturn:
     """Do the work of a command, which may itself leave with an exit code; whatever goes wrong becomes one line."""
     prepare_streams()
-    gc.set_threshold(GARBAGE)
     try:
         work()
     except Exception as error:

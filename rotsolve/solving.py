@@ -29,7 +29,6 @@ from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.consistency import KnownBalls, contradiction, just_stops, turned_back, untimely
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search, asked_letter
-from rotsolve.search.uncovered import why_uncovered
 from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
@@ -445,6 +444,8 @@ def check_law(search: Search, law: str) -> None:
     used = {search.planner.pool[index].family for answered in search.answered for index in answered.used}
     problem = search.scene.configuration.problem
     if used - {""} and law not in used:
+        from rotsolve.search.uncovered import why_uncovered
+
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
         reason = why_uncovered(law, problem.finds[0], search.scene) if others else ""
         message = f"{FAMILIES[law].words} {FAMILIES[law].does} not settle anything that is asked here{reason}"

@@ -1,19 +1,28 @@
 """Start: where the command begins. Files alone, or a problem with one answer, go straight to work; `cli` reads any other command line.
 
-Loading what reads options and prints help would take an eighth of the time of a cold run.
+Loading what reads options and prints help would take an eighth of the time of a cold run. Nothing is imported before `process` has
+told Python to look for cyclic garbage seldom: what it finds while modules load is nothing, and looking takes a hundredth of a run.
 """
 
 from __future__ import annotations
 
+import gc
 import sys
-from typing import NoReturn
 
-from rotsolve.lean import keep_together, leave_out, take_together
-from rotsolve.process import SOLVED, end_at_once, leave_after, orderly, page_width
+TYPE_CHECKING = False  # as in `rotsolve`
+if TYPE_CHECKING:
+    from typing import NoReturn
+
+# new objects after which Python looks for cycles among them; a scene makes few, and most live to its end
+GARBAGE = 100_000
 
 
 def process() -> NoReturn:
     """Run the command that this process was started for, and end it."""
+    gc.set_threshold(GARBAGE)
+    from rotsolve.lean import leave_out
+    from rotsolve.process import end_at_once
+
     leave_out()
     try:
         main()
@@ -24,6 +33,8 @@ def process() -> NoReturn:
 
 def main() -> NoReturn:
     """Run the command of this process; SystemExit tells its exit code."""
+    from rotsolve.process import leave_after
+
     match sys.argv[1:]:
         case ["solve", *files] if files and no_options(*files):
             leave_after(lambda: solve_at_once(files))
@@ -45,6 +56,9 @@ def no_options(*words: str) -> bool:
 
 def solve_at_once(files: list[str], *, confirm: bool = True) -> NoReturn:
     """`rotsolve solve FILES…`, all else by default."""
+    from rotsolve.lean import keep_together, take_together
+    from rotsolve.process import SOLVED, orderly, page_width
+
     with orderly():
         take_together()
         from rotsolve.run import SolveRequest, solve_files
@@ -57,6 +71,9 @@ def solve_at_once(files: list[str], *, confirm: bool = True) -> NoReturn:
 
 def check_at_once(problem: str, answers: str, *typed: str) -> NoReturn:
     """`rotsolve check PROBLEM ANSWERS` or `--answer TEXT`, all else by default."""
+    from rotsolve.lean import take_together
+    from rotsolve.process import orderly, page_width
+
     with orderly():
         take_together()
         from rotsolve.grading.course.command import CheckRequest, run_check

@@ -393,6 +393,57 @@ def test_answers_of_a_file_and_of_a_variant_are_checked(tmp_path: Path) -> None:
         check(atwood, "1.4 m/s^2")
 
 
+SLOPE = """
+title: Cylinder on a slope
+given: {M: 2 kg, R: 0.1 m, beta: 30 deg, g: 9.8 m/s^2}
+gravity: g
+surfaces: {slope: {slope: beta, down: right}}
+bodies: {cylinder: {shape: cylinder, mass: M, radius: R, moves: down, turns: clockwise}}
+connections: {grip: {rolls: [cylinder, slope]}}
+find: {a: cylinder.acceleration, alpha: cylinder.angular_acceleration, f: grip.friction_force}
+"""
+
+
+@pytest.fixture(scope="module")
+def homework(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A sheet of two problems."""
+    place = tmp_path_factory.mktemp("homework")
+    (place / "roll.yaml").write_text(SLOPE, encoding="utf-8")
+    (place / "sheet.yaml").write_text(f"sheet: Homework\nproblems: [{DISC}, roll.yaml]\n", encoding="utf-8")
+    return place / "sheet.yaml"
+
+
+def test_answers_to_a_sheet_are_checked(homework: Path) -> None:
+    """In a map, flat or by problem, in a text, and in one line: named as on the command line."""
+    flat = {
+        "1.a": "2 m g/(2 m + M)",
+        "roll.a": "3.27 m/s^2",
+        "f": "3.27 N",
+        "roll.working": ["M g sin(beta) - f = M a"],
+    }
+    marked = check(homework, flat)
+    assert list(marked) == ["1.a", "1.alpha", "1.T", "2.a", "2.alpha", "2.f"]
+    assert [name for name in marked if marked[name].right] == ["1.a", "2.a", "2.f"]
+    assert (
+        marked["roll.a"].text == "3.27 m/s^2"
+        and marked["f"].right
+        and [line.right for line in marked.working] == [True]
+    )
+    assert (marked.marks, marked.of, marked.right) == (3.0, 6.0, False) and "3 of 6" in str(marked)
+    assert [one.marks for one in marked.problems] == [1.0, 2.0] and marked.problems[1]["a"].right
+    for name in ("a", "3.a", "1.f"):
+        with pytest.raises(KeyError, match="nothing is asked by the name"):
+            marked[name]
+    nested = {"1": {"a": flat["1.a"]}, "roll": {"a": flat["roll.a"], "f": flat["f"], "working": flat["roll.working"]}}
+    text = "Problem 1:\na = 2 m g/(2 m + M)\nProblem 2:\na = 3.27 m/s^2\nf = 3.27 N\nM g sin(beta) - f = M a"
+    for told in (nested, text):
+        assert str(check(homework, told)) == str(marked)
+    assert check(str(homework), "2.f = 3.27 N")["2.f"].right
+    with pytest.raises(HandedInError, match="which answer is this"):
+        check(homework, "a = 1")
+    assert pickle.loads(pickle.dumps(marked))["2.f"].right
+
+
 # notebooks
 
 

@@ -9,6 +9,7 @@ from .measure import Row
 from .problem import Problem
 
 LEVELS = {"1e-6": 1e-6, "1e-9": 1e-9, "1e-12": 1e-12}
+TWO_RODS = 0.25  # seconds
 HUNDRED = 100
 
 
@@ -65,14 +66,18 @@ def by_its_parts(row: Row) -> str:
     )
 
 
-def two_rods(rows: Sequence[Row]) -> Figure:
-    """Two rods for 10 s to 1e-8 in a whole process of 300 ms."""
-    target = "two hinged rods for 10 s: an error of at most 1e-8 in a whole process of at most 300 ms"
+def two_rods(rows: Sequence[Row]) -> Iterator[Figure]:
+    """Two rods for 10 s to 1e-8 in 250 ms: as a whole process, and as one more motion in a process."""
+    target = "two hinged rods for 10 s: an error of at most 1e-8 in a whole process of at most 250 ms"
     good = [row for row in rows if row.peer == "rotsolve" and row.error <= 1e-8]
     if not good:
-        return Figure(target, "no run of ours is so good", False)
-    best = min(good, key=lambda row: row.cpu)
-    return Figure(target, f"{told(best)}, {milliseconds(best.wall)} by the clock", best.cpu <= 0.3, by_its_parts(best))
+        yield Figure(target, "no run of ours is so good", False)
+        return
+    best, warm = min(good, key=lambda row: row.cpu), min(good, key=lambda row: row.marginal)
+    clock = f"{told(best)}, {milliseconds(best.wall)} by the clock"
+    yield Figure(target, clock, best.cpu <= TWO_RODS, by_its_parts(best))
+    figure = f"{warm.error:.1e} in {milliseconds(warm.marginal)} (at {warm.setting})"
+    yield Figure("… and in at most 250 ms as one more motion in a process", figure, warm.marginal <= TWO_RODS)
 
 
 def energy_drift(rows: Sequence[Row]) -> Figure:
@@ -126,9 +131,11 @@ def figures(problems: Sequence[Problem], rows: Sequence[Row]) -> Iterator[Figure
     simulated = [problem for problem in problems if problem.simulated]
     for problem in simulated:
         yield from against_scipy(problem, [row for row in rows if row.problem == problem.name])
-    for name, figure in (("two-hinged-rods", two_rods), ("rod-for-2000-s", energy_drift)):
-        if own := [row for row in rows if row.problem == name]:
-            yield figure(own)
+    by_name = {name: [row for row in rows if row.problem == name] for name in ("two-hinged-rods", "rod-for-2000-s")}
+    if own := by_name["two-hinged-rods"]:
+        yield from two_rods(own)
+    if own := by_name["rod-for-2000-s"]:
+        yield energy_drift(own)
     names = {problem.name for problem in simulated}
     if names:
         yield from bounds([row for row in rows if row.problem in names])

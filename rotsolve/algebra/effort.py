@@ -5,8 +5,12 @@ A step is what takes about as long as solving one short equation. What runs out 
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
+from threading import Lock
+
+GARBAGE = 100_000  # new objects after which Python may look for cycles among them; solving makes few
 
 
 class Exhausted(Exception):
@@ -41,6 +45,34 @@ def at_most(steps: int | None) -> Iterator[None]:
         yield
     finally:
         Purse.left = before
+
+
+class Collecting:
+    """Who is at work, in any thread, and how often Python looked for cycles before."""
+
+    lock = Lock()
+    workers = 0
+    before = (0, 0, 0)
+
+
+@contextmanager
+def rarely_collecting() -> Iterator[None]:
+    """Python looks for cycles less often within: each time it looks through all that is remembered. After it as before.
+
+    Where it is told to look less often, or not at all, that stays.
+    """
+    with Collecting.lock:
+        Collecting.workers += 1
+        if Collecting.workers == 1:
+            first, *others = Collecting.before = gc.get_threshold()
+            gc.set_threshold(max(first, GARBAGE) if first else 0, *others)
+    try:
+        yield
+    finally:
+        with Collecting.lock:
+            Collecting.workers -= 1
+            if not Collecting.workers:
+                gc.set_threshold(*Collecting.before)
 
 
 class Allowance:

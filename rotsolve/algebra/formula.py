@@ -86,7 +86,7 @@ class Formula(Struct, frozen=True, dict=True, cache_hash=True):
     def __pow__(self, other: Formula | int | Fraction) -> Formula:
         exponent = formula(other)
         power = exponent.value if isinstance(exponent, Number) else 0
-        if power == 1 or (power > 0 and isinstance(self, Number) and self.value in (0, 1)):
+        if power == 1 or (isinstance(self, Number) and self.value in (0, 1) and power > 0):
             return self
         if power == 2:  # (−x)² = x², (√x)² = x
             base = self.operand if isinstance(self, Negative) else self
@@ -107,10 +107,10 @@ class Formula(Struct, frozen=True, dict=True, cache_hash=True):
 
     def symbols(self) -> frozenset[str]:
         """Names of the free symbols (a variable of integration is bound, hence not among them)."""
-        known = self.__dict__
-        if "names" not in known:
-            known["names"] = self._symbols()
-        names: frozenset[str] = known["names"]
+        try:
+            names: frozenset[str] = self.__dict__["names"]
+        except KeyError:
+            names = self.__dict__["names"] = self._symbols()
         return names
 
     def _symbols(self) -> frozenset[str]:
@@ -122,11 +122,12 @@ class Formula(Struct, frozen=True, dict=True, cache_hash=True):
 
     def _contents(self) -> frozenset[str | type[Formula]]:
         """The functions and the kinds of nodes in the tree."""
-        known = self.__dict__
-        if "contents" not in known:
+        try:
+            contents: frozenset[str | type[Formula]] = self.__dict__["contents"]
+        except KeyError:
             own = (type(self), self.function) if isinstance(self, Call) else (type(self),)
-            known["contents"] = united([*[child._contents() for child in self.children()], frozenset(own)])
-        contents: frozenset[str | type[Formula]] = known["contents"]
+            contents = united([*[child._contents() for child in self.children()], frozenset(own)])
+            self.__dict__["contents"] = contents
         return contents
 
     def substitute(self, values: Mapping[str, Formula]) -> Formula:
@@ -295,11 +296,11 @@ def formula(value: Formula | int | Fraction) -> Formula:
 def add(left: Formula, right: Formula) -> Formula:
     """left + right, one flat sum."""
     if isinstance(left, Number):
-        if left.value == 0:
+        if not left.value:
             return right
         if isinstance(right, Number):
             return Number(left.value + right.value)
-    elif isinstance(right, Number) and right.value == 0:
+    elif isinstance(right, Number) and not right.value:
         return left
     terms = left.terms if isinstance(left, Sum) else (left,)
     return Sum((*terms, *(right.terms if isinstance(right, Sum) else (right,))))
@@ -319,14 +320,14 @@ def negate(operand: Formula) -> Formula:
 def multiply(left: Formula, right: Formula) -> Formula:
     """left · right, one flat product with the sign in front."""
     if isinstance(left, Number):
-        if left.value == 0 or (isinstance(right, Number) and right.value == 0):
+        if not left.value or (isinstance(right, Number) and not right.value):
             return ZERO
         if left.value == 1:
             return right
         if isinstance(right, Number):
             return left if right.value == 1 else Number(left.value * right.value)
     elif isinstance(right, Number):
-        if right.value == 0:
+        if not right.value:
             return ZERO
         if right.value == 1:
             return left
@@ -336,7 +337,7 @@ def multiply(left: Formula, right: Formula) -> Formula:
         return negate(multiply(left, right.operand))
     if isinstance(right, Number):
         left, right = right, left
-    if isinstance(left, Number) and left.value < 0:
+    if isinstance(left, Number) and left.value.numerator < 0:
         return negate(multiply(Number(-left.value), right))
     factors = left.factors if isinstance(left, Product) else (left,)
     more = right.factors if isinstance(right, Product) else (right,)
@@ -355,7 +356,7 @@ def divide(numerator: Formula, denominator: Formula) -> Formula:
     if isinstance(denominator, Number) and denominator.value == 1:
         return numerator
     if isinstance(numerator, Number):
-        if numerator.value == 0:
+        if not numerator.value:
             return ZERO
         if isinstance(denominator, Number) and denominator.value:
             return Number(numerator.value / denominator.value)

@@ -33,7 +33,7 @@ class ManyAnswers(dict[str, Any]):
 
     def __init__(self, found: Mapping[str, Any], reasons: Mapping[str, Any], units: Mapping[str, str]) -> None:
         super().__init__(found)
-        self.reasons = dict(reasons)
+        self.reasons = reasons
         self.units = dict(units)
 
     @property

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
     from rotsolve.solution import Resolved, Solution
 
+SIGNS_AT_A_TIME = 32_768  # sets of which signs are read
 UNSURE = 1000  # signs that floats do not tell, which are worked out one by one
 SHIFT, FAR = (
     1e-11,
@@ -125,15 +126,12 @@ def enter(case: SetCase, name: str, answer: Answer, letters: Collection[str]) ->
 def sets_like(case: SetCase, given: GivenSets, rows: Any) -> Any:
     """Which sets among some have the signs on which a case hangs."""
     signs = {item: sign for item, sign in case.signs.items() if not (sign == 0 and nothing_whatever(item))}
-    columns, places = given.part(rows), np.flatnonzero(rows)
+    columns, places = given.part(picking(rows)), np.flatnonzero(rows)
     found, unsure = np.ones(len(places), dtype=bool), UNSURE if signs else 0
-    for (item, sign), values, others in zip(signs.items(), *read_signs(signs, columns, given.known), strict=True):
-        finite = np.isfinite(values)
-        with np.errstate(invalid="ignore"):
-            sure = np.where(finite, np.abs(others - values) <= FAR * np.abs(values), ~np.isfinite(others))
-        here = ~finite if sign is None else finite & (np.sign(values) == sign)
+    read = read_signs(signs, columns, given.known, len(places))
+    for item, (here, sure) in read.items():
         for number in np.flatnonzero(found & ~sure)[:unsure]:
-            here[number] = SignOracle(given.values(int(places[number]))).by_numbers(item) == sign
+            here[number] = SignOracle(given.values(int(places[number]))).by_numbers(item) == signs[item]
             sure[number], unsure = True, unsure - 1
         found &= here & sure
     whole = np.zeros(given.size, dtype=bool)
@@ -141,11 +139,33 @@ def sets_like(case: SetCase, given: GivenSets, rows: Any) -> Any:
     return whole
 
 
-def read_signs(signs: Collection[Formula], columns: Mapping[str, Any], known: Mapping[str, Formula]) -> tuple[Any, Any]:
-    """Formulas set by set, as they are and with inputs shifted by a little."""
-    shifted = {name: column * (1 + SHIFT * (1 + number)) for number, (name, column) in enumerate(columns.items())}
+def read_signs(
+    signs: Mapping[Formula, int | None], columns: Mapping[str, Any], known: Mapping[str, Formula], size: int
+) -> dict[Formula, tuple[Any, Any]]:
+    """By formulas, set by set: whether each has its sign, and whether that is sure: inputs shifted by a little give it too.
+
+    In pieces of which all that is worked out on the way fits into the processor's cache.
+    """
     work = program(signs, columns, known)
-    return float_results(work, columns, 0), float_results(work, shifted, 0)
+    found = {item: (np.empty(size, dtype=bool), np.empty(size, dtype=bool)) for item in signs}
+    for start in range(0, size if signs else 0, SIGNS_AT_A_TIME):
+        piece = slice(start, start + SIGNS_AT_A_TIME)
+        own = {name: column[piece] for name, column in columns.items()}
+        shifted = {name: column * (1 + SHIFT * (1 + number)) for number, (name, column) in enumerate(own.items())}
+        results = float_results(work, own, 0), float_results(work, shifted, 0)
+        for (item, sign), values, others in zip(signs.items(), *results, strict=True):
+            here, sure = found[item]
+            here[piece], sure[piece] = signs_read(values, others, sign)
+    return found
+
+
+def signs_read(values: Any, others: Any, sign: int | None) -> tuple[Any, Any]:
+    """Which of some numbers have a sign, None being no number, and of which that is sure beside `others`."""
+    finite = np.isfinite(values)
+    with np.errstate(invalid="ignore"):
+        near = np.abs(others - values) <= FAR * np.abs(values)
+        here = ~finite if sign is None else finite & (np.sign(values) == sign)
+    return here, near if finite.all() else np.where(finite, near, ~np.isfinite(others))
 
 
 def nothing_whatever(item: Formula) -> bool:
@@ -154,6 +174,24 @@ def nothing_whatever(item: Formula) -> bool:
         return is_zero(item)
     except ZeroDivisionError:
         return False
+
+
+def picking(chosen: Any) -> Any:
+    """What picks the chosen sets from an array; all of them without a copy of it."""
+    return slice(None) if chosen.all() else chosen
+
+
+def numbers_of_forms(
+    forms: Mapping[str, Formula], given: GivenSets, rows: Any, certified: bool
+) -> dict[str, tuple[Any, ...]]:
+    """The numbers of several formulas for some sets, with bounds on their errors where `certified`: what they share is worked out once."""
+    columns = given.part(rows)
+    try:
+        work = program(forms.values(), columns, given.known)
+        found = [(one,) for one in float_results(work, columns, 0)] if not certified else ball_results(work, columns, 0)
+    except NotForMany:  # functions that NumPy does not have
+        found = [form_numbers(form, given, rows, certified) for form in forms.values()]
+    return dict(zip(forms, found, strict=True))
 
 
 def form_numbers(form: Formula, given: GivenSets, rows: Any, certified: bool) -> tuple[Any, ...]:

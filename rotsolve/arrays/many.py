@@ -20,13 +20,15 @@ from rotsolve.arrays.cases import (
     Row,
     SetCase,
     case_of_set,
-    form_numbers,
     number_in_unit_of,
+    numbers_of_forms,
+    picking,
     says_the_same,
     sets_like,
 )
 from rotsolve.arrays.floats import float_results
 from rotsolve.arrays.held import case_contradicted, made_complete
+from rotsolve.arrays.reasons import Reasons
 from rotsolve.core.symbols import TIME
 from rotsolve.motion.limits import limits_of_scene
 
@@ -35,6 +37,7 @@ if TYPE_CHECKING:
     from rotsolve.solution import Resolved, Solution
 
 OTHERWISE = "what the closed form needs does not hold for these numbers"
+NO_SUCH = "these numbers have no such answer"
 UNTOLD = "its number is beyond those of floats"
 MOST = 100  # sets that are solved for one call
 TOO_MANY = (
@@ -52,8 +55,8 @@ class Sets(Struct):
     case_contradicted: Contradicting
     units: dict[str, Unit | None]
     certified: bool
+    reasons: Reasons
     numbers: dict[str, tuple[Any, ...]] = {}
-    reasons: dict[str, Any] = {}
 
     def answer(self, cases: list[SetCase]) -> None:
         """Answer all sets, by the `cases` that are known and by others, which are entered there."""
@@ -71,18 +74,17 @@ class Sets(Struct):
             if case.general:
                 cases.append(case)
         for name in self.units:
-            self.told(name)[left] = TOO_MANY
+            self.reasons.tell(name, left, TOO_MANY)
 
     def entered(self) -> Any:
         """The sets that are numbers; the others are told to be none."""
         left = np.ones(self.given.size, dtype=bool)
-        for name in self.units:
-            self.told(name)
         for letter, column in self.given.columns.items():
             none = left & ~np.isfinite(column)
-            for name in self.units:
-                self.reasons[name][none] = f"`{letter}` is no number"
-            left &= ~none
+            if none.any():
+                for name in self.units:
+                    self.reasons.tell(name, none, f"`{letter}` is no number")
+                left &= ~none
         return left
 
     def like(self, case: SetCase, left: Any, first: int) -> Any:
@@ -103,42 +105,42 @@ class Sets(Struct):
 
     def spread(self, case: SetCase, here: Any, first: int | None = None) -> Any:
         """Enter what a case says of its sets, the `first` of which was solved; these sets."""
+        rows = picking(here)
         for name in dict.fromkeys((*self.units, *case.numbers, *case.reasons)):
             self.units.setdefault(name, case.units.get(name))
+            if name not in self.reasons:
+                self.reasons.codes[name] = np.full(self.given.size, self.reasons.code(NO_SUCH), dtype=np.int32)
             reason = case.reason(name)
-            self.told(name)[here] = reason and f"as for {case.at}: {reason}"
-            if not reason:
-                self.enter(case, name, here)
-            elif first is not None:
-                self.told(name)[first] = reason
+            self.reasons.tell(name, rows, reason and f"as for {case.at}: {reason}")
+            if reason and first is not None:
+                self.reasons.tell(name, first, reason)
+        forms = {name: form / self.factor(name) for name, form in case.forms.items() if case.general}
+        found = numbers_of_forms(forms, self.given, rows, self.certified) if forms else {}
+        for name, number in case.numbers.items():
+            if isinstance(number, str):
+                self.enter(name, rows, (number,), ("",))
+            else:
+                self.enter(name, rows, found.get(name) or number_in_unit_of(number, self.units[name]))
         return here
 
-    def told(self, name: str) -> Any:
-        """The reasons of an answer."""
-        if name not in self.reasons:
-            self.reasons[name] = np.full(self.given.size, "these numbers have no such answer", dtype=object)
-        return self.reasons[name]
+    def factor(self, name: str) -> Formula:
+        """What an answer is counted in."""
+        unit = self.units[name]
+        return ONE if unit is None else unit.factor
 
-    def enter(self, case: SetCase, name: str, here: Any) -> None:
-        """The numbers of a case in the unit of an answer."""
-        number, unit = case.numbers[name], self.units[name]
-        if isinstance(number, str):
-            empty: tuple[Any, ...] = ("",)
-            values: tuple[Any, ...] = (number,)
-        else:
-            empty = (math.nan, math.inf) if self.certified else (math.nan,)
-            form = case.forms.get(name)
-            if case.general and form is not None:
-                values = form_numbers(form / (ONE if unit is None else unit.factor), self.given, here, self.certified)
-            else:
-                values = number_in_unit_of(number, unit)
+    def enter(
+        self, name: str, rows: Any, values: tuple[Any, ...], empty: tuple[Any, ...] = (math.nan, math.inf)
+    ) -> None:
+        """The values of some sets, and what stands where there are none."""
+        kind: Any = object if isinstance(values[0], str) else np.float64
+        count = 2 if self.certified and kind is np.float64 else 1
         if name not in self.numbers:
-            kind: Any = object if isinstance(number, str) else np.float64
-            self.numbers[name] = tuple(np.full(self.given.size, one, dtype=kind) for one in empty)
+            self.numbers[name] = tuple(np.full(self.given.size, one, dtype=kind) for one in empty[:count])
         for whole, part in zip(self.numbers[name], values, strict=False):
-            whole[here] = part
-        if not isinstance(number, str):
-            self.told(name)[here & ~np.isfinite(self.numbers[name][0])] = UNTOLD
+            whole[rows] = part
+        if kind is np.float64 and not np.isfinite(values[0]).all():
+            none = ~np.isfinite(self.numbers[name][0])
+            self.reasons.tell(name, none & self.reasons.answered(name), UNTOLD)
 
     def result(self, shape: tuple[int, ...]) -> ManyAnswers:
         """All answers, as arrays of a shape."""
@@ -148,8 +150,8 @@ class Sets(Struct):
             own = self.numbers.get(name) or tuple(np.full(self.given.size, one) for one in empty)
             parts = tuple(part.reshape(shape) for part in own)
             found[name] = parts if self.certified and len(parts) > 1 else parts[0]
-        reasons = {name: texts.reshape(shape) for name, texts in self.reasons.items()}
-        return ManyAnswers(found, reasons, {name: unit.text if unit else "" for name, unit in self.units.items()})
+        self.reasons.codes = {name: codes.reshape(shape) for name, codes in self.reasons.codes.items()}
+        return ManyAnswers(found, self.reasons, {name: unit.text if unit else "" for name, unit in self.units.items()})
 
 
 def answers_of_sets(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:
@@ -159,8 +161,10 @@ def answers_of_sets(solution: Solution, values: Mapping[str, Any], certified: bo
 
         return lazy_answers(solution, values, certified)
     found = worked_out_sets(solution, values, certified)
-    if found.reasons and not any((reasons == "").any() for reasons in found.reasons.values()):
-        reason = next((text for texts in found.reasons.values() for text in texts.reshape(-1)), "no set is given")
+    reasons = found.reasons
+    assert isinstance(reasons, Reasons)
+    if reasons and not any(reasons.answered(name).any() for name in reasons):
+        reason = next((text for texts in reasons.values() for text in texts.reshape(-1)), "no set is given")
         raise NotForMany(f"none of the sets has an answer: {reason}")
     return found
 
@@ -175,7 +179,10 @@ def answers_as_decided(solution: Solution, values: Mapping[str, Any], certified:
     work = program([*forms, *bounds], values, known)
     found = dict(zip(answers, (ball_results if certified else float_results)(work, values, len(bounds)), strict=True))
     numbers = {name: result[0] if certified else result for name, result in found.items()}
-    reasons = {name: np.where(np.isnan(result), OTHERWISE, "").astype(object) for name, result in numbers.items()}
+    reasons = Reasons(np.shape(next(iter(numbers.values()))), numbers)
+    for name, result in numbers.items():
+        if (none := np.isnan(result)).any():
+            reasons.tell(name, none, OTHERWISE)
     return ManyAnswers(found, reasons, {name: one.unit.text if one.unit else "" for name, one in answers.items()})
 
 
@@ -191,9 +198,8 @@ def worked_out_sets(solution: Solution, values: Mapping[str, Any], certified: bo
     whole = made_complete(problem)
     limits = [limit.gap for limit in limits_of_scene(whole)]
     units = {name: answer.unit for name, answer in single_answers(solution.derivation.answers)}
-    sets = Sets(
-        given, partial(resolved, solution), limits, partial(case_contradicted, problem=whole.problem), units, certified
-    )
+    contradicted, reasons = partial(case_contradicted, problem=whole.problem), Reasons((given.size,), units, NO_SUCH)
+    sets = Sets(given, partial(resolved, solution), limits, contradicted, units, certified, reasons)
     sets.answer(solution.cases.setdefault(frozenset(values), []))
     return sets.result(shape)
 

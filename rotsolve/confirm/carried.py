@@ -14,13 +14,13 @@ from rotsolve.confirm.bodies import frame, radius_of, spread
 from rotsolve.confirm.jet import Jet, Slope, cosine, sine
 from rotsolve.confirm.pose import Pose
 from rotsolve.confirm.rows import Grip, Row, held, unknown
-from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.supports import Rides, Shaft
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, Part
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.connections.drapes import Drapes
 
 Held = Iterator[Row | Grip]
 

@@ -9,16 +9,13 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm import NotConfirmed
-from rotsolve.confirm.bodies import radius_of
-from rotsolve.confirm.jet import Jet, distance
+from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.pose import Pair, Pose, Way, along, turned
 from rotsolve.confirm.rows import Grip, Row, held
 from rotsolve.confirm.signs import GROUND, RIGHT, carrier_of, normal, rests, surface_of
 from rotsolve.core.drive import BY_INERTIA, TURNING
-from rotsolve.elements.asked import derives_from, is_touch
-from rotsolve.elements.connections.strings import String
+from rotsolve.elements.asked import derives_from, home_of_kind, is_curved, is_touch
 from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Mounted, Weld
-from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
 
@@ -49,16 +46,20 @@ def rows_of(kind: type[Connection]) -> Rows:
         return found
     from rotsolve.confirm.couplings import COUPLINGS
 
-    return COUPLINGS.get(kind, refused)
+    return COUPLINGS.get(home_of_kind(kind), refused)
 
 
 def plain_rows(kind: type[Connection]) -> Rows | None:
     """What a connection of a kind that most scenes have holds, which loads nothing by itself."""
-    if not derives_from(kind, "connections.touch", "Touch"):
-        return ROWS.get(kind)
-    from rotsolve.confirm.touches import TOUCHES
+    if derives_from(kind, "connections.touch", "Touch"):
+        from rotsolve.confirm.touches import TOUCHES
 
-    return TOUCHES.get(kind)
+        return TOUCHES.get(kind)
+    if derives_from(kind, "connections.strings", "String"):
+        from rotsolve.confirm.strings import STRINGS
+
+        return STRINGS.get(kind)
+    return ROWS.get(kind)
 
 
 def refused(item: Connection, pose: Pose, model: Known) -> Held:
@@ -188,7 +189,7 @@ def led_apart(first: str, second: str, model: Known) -> Way | None:
     if not {first, second} <= {item.lying() for item in lying} or any(map(model.turns, group)):
         return None
     surfaces = [surface_of(item, model) if rests(item, model) else None for item in lying]
-    if any(surface is None or isinstance(surface, Curved) for surface in surfaces):
+    if any(surface is None or is_curved(surface) for surface in surfaces):
         return None
     (x, y), *others = (turned(normal(surface, model)) for surface in surfaces if surface is not None)
     return (x, y) if all(abs(x * w - y * u) < 1e-9 for u, w in others) else None
@@ -200,39 +201,9 @@ def met_at(owner: str, ref: PointRef, pose: Pose, model: Known) -> Pair:
     return pose.place(ref.owner, model.meeting(ref, pose.offsets.get(f"{owner}.{ref.owner}", now)))
 
 
-def string(item: String, pose: Pose, model: Known) -> Held:
-    """The ends of each leg move equally fast along it, a wheel's rim with it; it can only pull."""
-    if item.friction is not None:
-        from rotsolve.confirm.faces import rope_on_post
-
-        yield from rope_on_post(item, pose, model)
-        return
-    for number, leg in enumerate(model.legs(item)):
-        if leg.along is None:
-            ends = [tied_at(ref, pose, model) for ref in (leg.first, leg.second)]
-            if any(leg.sides):
-                raise NotConfirmed(f"`{item.name}` runs from a place to a rim")
-            length = distance(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1])
-        else:
-            length = Jet(0.0)
-            for ref, side, sign in ((leg.first, leg.sides[0], -1.0), (leg.second, leg.sides[1], 1.0)):
-                if ref.owner in model.seats:
-                    length = length + end_along(ref, side, leg.along, pose, model) * sign
-        yield held(item.name, f"tension{number}", length, pose, pull=True)
-
-
-def end_along(ref: PointRef, side: int, way: tuple[float, float], pose: Pose, model: Known) -> Jet:
-    """How far the end of a leg is along its direction: v · way of a rim is that of its centre and ∓ R ω."""
-    if not side:
-        return along(tied_at(ref, pose, model), way)
-    radius = radius_of(model.body(ref.owner), ref.point, model.value) or 0.0
-    return along(pose.place(ref.owner, model.spot(ref)), way) - pose.turn(ref.owner) * (side * radius)
-
-
 ROWS: dict[type[Connection], Rows] = {  # of what most scenes have
     Hinge: hinge,
     Axle: axle,
     Mounted: axle,
     Weld: weld,
-    String: string,
 }

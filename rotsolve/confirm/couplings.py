@@ -22,19 +22,14 @@ from rotsolve.confirm.pose import Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, Row, held, unknown
 from rotsolve.confirm.signs import RIGHT, UP, pointing
 from rotsolve.core.drive import TRAVELLING, TURNING
-from rotsolve.elements.connections.drapes import Drapes
-from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
-from rotsolve.elements.connections.flat import Laid
-from rotsolve.elements.connections.leaning import Leans
-from rotsolve.elements.connections.rubbing import Clutch, Rims
-from rotsolve.elements.connections.slots import PinSlot
-from rotsolve.elements.connections.springs import Spring, Torsion
-from rotsolve.elements.connections.supports import Rides, Shaft
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
+    from rotsolve.elements.connections.rubbing import Clutch, Rims
+    from rotsolve.elements.connections.slots import PinSlot
 
 
 def nothing(item: Connection, pose: Pose, model: Known) -> Held:
@@ -185,19 +180,19 @@ def slot_way(item: PinSlot, model: Known) -> Way:
     return pointing(item.along, model)
 
 
-COUPLINGS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
-    Guide: guide,
-    Spring: nothing,
-    Torsion: nothing,
-    Belt: belt,
-    Gear: gear,
-    MutualDrive: mutual,
-    Clutch: clutch,
-    Laid: laid,
-    Rims: rims,
-    Rides: riding,
-    Drapes: draping,
-    Shaft: whirling,
-    PinSlot: slotted,
-    Leans: leaning_rows,
+COUPLINGS: dict[str, Callable[[Any, Pose, Known], Held]] = {
+    "connections.drives.Guide": guide,
+    "connections.springs.Spring": nothing,
+    "connections.springs.Torsion": nothing,
+    "connections.drives.Belt": belt,
+    "connections.drives.Gear": gear,
+    "connections.drives.MutualDrive": mutual,
+    "connections.rubbing.Clutch": clutch,
+    "connections.flat.Laid": laid,
+    "connections.rubbing.Rims": rims,
+    "connections.supports.Rides": riding,
+    "connections.drapes.Drapes": draping,
+    "connections.supports.Shaft": whirling,
+    "connections.slots.PinSlot": slotted,
+    "connections.leaning.Leans": leaning_rows,
 }

@@ -11,19 +11,20 @@ from msgspec.structs import replace
 
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.bodies import Spot, part_of, radius_of
-from rotsolve.confirm.constraints import Held, end_along
+from rotsolve.confirm.constraints import Held
 from rotsolve.confirm.jet import merged
 from rotsolve.confirm.pose import Pose, load
 from rotsolve.confirm.rows import Grip, Row, held
-from rotsolve.elements.connections.flat import Laid
-from rotsolve.elements.connections.rubbing import Clutch
-from rotsolve.elements.connections.strings import String
+from rotsolve.confirm.strings import end_along
 from rotsolve.elements.shapes import shape_of
 from rotsolve.elements.shapes.round import Ring
 from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.connections.flat import Laid
+    from rotsolve.elements.connections.rubbing import Clutch
+    from rotsolve.elements.connections.strings import String
 
 FAR_ROUND = 10.0  # μ φ beyond which T₂/T₁ = e^(−μ φ) is lost beside 1
 ROUND, RINGS = 12, 8  # pieces into which a ring is cut; rings of a face that is pressed

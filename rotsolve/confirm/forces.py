@@ -14,18 +14,17 @@ from rotsolve.confirm.lines import onward, twist, wound_by
 from rotsolve.confirm.pose import Pair, Pose, Way, along, load, turned
 from rotsolve.confirm.rows import Grip, held
 from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, WORDS, mover, pointing
-from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Band, Press
-from rotsolve.elements.connections.drapes import Drapes
-from rotsolve.elements.connections.drives import MutualDrive
-from rotsolve.elements.connections.rubbing import Rims
-from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.asked import home_of_kind, is_drapes, is_spring, is_wall
 from rotsolve.elements.connections.supports import Shaft
-from rotsolve.elements.surfaces import Wall
 from rotsolve.language.bodies import PointRef
-from rotsolve.language.elements import ActingElement
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
+    from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Band, Press
+    from rotsolve.elements.connections.drapes import Drapes
+    from rotsolve.elements.connections.drives import MutualDrive
+    from rotsolve.elements.connections.rubbing import Rims
+    from rotsolve.elements.connections.springs import Spring, Torsion
 
 Pushes = Iterator[tuple[str, Slope] | Grip]
 SIDES = (None, "tangential", "clockwise", "counterclockwise")  # directions square to the arm
@@ -34,11 +33,11 @@ SIDES = (None, "tangential", "clockwise", "counterclockwise")  # directions squa
 def forces(model: Known, pose: Pose, without: Collection[str] = ()) -> Pushes:
     """All known forces but the weights, by their owner, and brakes that may hold; `without` those of some elements."""
     for item in (*model.acting.connections, *model.acting.actions):
-        line = FORCES.get(type(item))
+        line = FORCES.get(home_of_kind(type(item)))
         if line is not None and item.name not in without:
             yield from line(item, pose, model)
     for action in model.acting.actions:
-        if type(action) not in FORCES:
+        if home_of_kind(type(action)) not in FORCES:
             raise NotConfirmed(f"`{action.name}`: the assembly has no forces for `{action.word}`")
 
 
@@ -82,7 +81,7 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
     """The lengths at which springs are without force, from how far a state says that they are stretched; how much of a rope hangs."""
     found = {}
     for item in model.acting.connections:
-        if isinstance(item, Drapes) and item.name not in known:
+        if is_drapes(item) and item.name not in known:
             from rotsolve.confirm.carried import hanging
 
             for line in model.acting.state.conditions:
@@ -94,7 +93,7 @@ def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str,
                     and line.value is not None
                 ):
                     found[item.name] = model.value(line.value) - hanging(item, pose, model).value
-        if not isinstance(item, Spring) or item.name in known:
+        if not is_spring(item) or item.name in known:
             continue
         if item.rest_length is not None and by_places(item, model):
             found[item.name] = model.value(item.rest_length)
@@ -122,7 +121,7 @@ def spring_way(item: Spring, model: Known) -> Way:
     wall = model.surfaces.get(anchor.owner)
     right = way if way is None or way[0] > 0 else (-way[0], -way[1])
     sideways = right is not None and abs(right[0]) > 1e-9
-    if isinstance(wall, Wall):
+    if is_wall(wall):
         level = right if right is not None and sideways else RIGHT
         outward = level if wall.wall == "left" else (-level[0], -level[1])
     elif right is not None and sideways:
@@ -250,19 +249,19 @@ def rope_or_shaft(item: Drapes | Shaft, pose: Pose, model: Known) -> Pushes:
     """What a heavy rope and a shaft do, which few scenes have."""
     from rotsolve.confirm.carried import centrifugal, rope_weight
 
-    return rope_weight(item, pose, model) if isinstance(item, Drapes) else centrifugal(item, pose, model)
+    return centrifugal(item, pose, model) if isinstance(item, Shaft) else rope_weight(item, pose, model)
 
 
-FORCES: dict[type[ActingElement], Callable[[Any, Pose, Known], Pushes]] = {
-    Spring: spring,
-    Torsion: torsion,
-    Drapes: rope_or_shaft,
-    Shaft: rope_or_shaft,
-    MutualDrive: mutual,
-    Rims: pressed,
-    AppliedForce: applied,
-    AppliedCouple: couple,
-    Press: press,
-    Band: band,
-    AppliedPower: power,
+FORCES: dict[str, Callable[[Any, Pose, Known], Pushes]] = {
+    "connections.springs.Spring": spring,
+    "connections.springs.Torsion": torsion,
+    "connections.drapes.Drapes": rope_or_shaft,
+    "connections.supports.Shaft": rope_or_shaft,
+    "connections.drives.MutualDrive": mutual,
+    "connections.rubbing.Rims": pressed,
+    "actions.AppliedForce": applied,
+    "actions.AppliedCouple": couple,
+    "actions.Press": press,
+    "actions.Band": band,
+    "actions.AppliedPower": power,
 }

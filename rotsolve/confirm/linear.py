@@ -111,12 +111,13 @@ def linked(rows: Sequence[dict[int, float]]) -> list[list[int]]:
 def pivots_of(group: Sequence[int], rows: list[dict[int, float]], right: list[float]) -> list[tuple[int, int]]:
     """Reduces the rows of a group in place; (unknown, row) for each pivot. What is left of the other rows is rounding."""
     pivots, left = [], set(group)
+    largest = {number: largest_in_row(rows[number]) for number in group}
     while left:
         best, place = SMALL, None
         for number in left:
-            for index, part in rows[number].items():
-                if abs(part) > best:
-                    best, place = abs(part), (index, number)
+            size, index = largest[number]
+            if size > best:
+                best, place = size, (index, number)
         if place is None:
             break
         index, number = place
@@ -134,4 +135,14 @@ def pivots_of(group: Sequence[int], rows: list[dict[int, float]], right: list[fl
                     if key != index:
                         target[key] = target.get(key, 0.0) - share * part
                 right[other] -= share * right[number]
+                largest[other] = largest_in_row(target) if other in left else largest[other]
     return pivots
+
+
+def largest_in_row(row: dict[int, float]) -> tuple[float, int]:
+    """The size of the largest number of a row, and its unknown."""
+    best, place = 0.0, 0
+    for index, part in row.items():
+        if abs(part) > best:
+            best, place = abs(part), index
+    return best, place

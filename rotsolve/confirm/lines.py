@@ -15,14 +15,14 @@ from rotsolve.confirm.pose import Pair, Pose, Way, along, load
 from rotsolve.confirm.rows import Grip, Row
 from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
 from rotsolve.confirm.signs import RIGHT, UP, carrier_travels, round_way, surface_of, taken_from_under
-from rotsolve.elements.asked import is_drapes, is_touch
-from rotsolve.elements.surfaces import Curved
+from rotsolve.elements.asked import is_curved, is_drapes, is_touch
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.problem import Condition, Path
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
     from rotsolve.elements.connections.touch import Touch
+    from rotsolve.elements.surfaces import Curved
 
 
 class Stated(Struct, frozen=True):
@@ -152,7 +152,7 @@ def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
         return hanging(contact, pose, model) + pose.offsets.get(contact.name, 0.0)
     if is_touch(contact) and path.quantity == "angle":
         surface = surface_of(contact, model)
-        if isinstance(surface, Curved):
+        if is_curved(surface):
             x, y = from_middle(contact, pose, model)
             return arctangent(y, x)
     if path.quantity == "angle" and (wound := wound_by(path.owner, model)):
@@ -213,7 +213,7 @@ def on_curve(name: str, model: Known) -> tuple[Touch, Curved] | None:
     for item in model.acting.connections:
         if is_touch(item) and item.lying() == name:
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and surface.radius() is not None and not carrier_travels(item, model):
+            if is_curved(surface) and surface.radius() is not None and not carrier_travels(item, model):
                 return item, surface
     return None
 
@@ -234,7 +234,7 @@ def left_from(name: str, model: Known) -> tuple[Touch, Curved] | None:
     for item in taken_from_under(model) if name not in lying else ():
         names = {ref.owner for ref in item.places()} | ({item.side.name} if item.side is not None else set())
         places = [surface for surface in model.problem.surfaces if surface.name in names]
-        curved = [surface for surface in places if isinstance(surface, Curved) and surface.radius() is not None]
+        curved = [surface for surface in places if is_curved(surface) and surface.radius() is not None]
         if item.lying() == name and curved:
             return item, curved[0]
     return None

@@ -33,13 +33,13 @@ from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, StringPart, Way, along
 from rotsolve.confirm.signs import carrier_of, carriers, grounded, line, sense
 from rotsolve.elements.asked import is_drapes, is_touch
-from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.problem import Problem
 
 if TYPE_CHECKING:
+    from rotsolve.elements.connections.strings import String
     from rotsolve.elements.connections.touch import Touch
 
 

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 from rotsolve.confirm.bodies import on_rim, radius_of
 from rotsolve.confirm.pose import StringPart, Way, turned
 from rotsolve.confirm.signs import DOWN, RIGHT, UP, WORDS, line, mover, normal, surface_of, uphill
-from rotsolve.elements.asked import is_touch
+from rotsolve.elements.asked import is_slope, is_touch, is_wall
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Hinge
-from rotsolve.elements.surfaces import Slope, Wall
 from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
@@ -56,7 +55,7 @@ def declared(item: String, here: int, there: int, model: Known) -> Way | None:
     word = dict(item.pulls).get(ref.owner)
     if word is not None:
         slope = lain_on(ref.owner, model) if word in ("up", "down") else None
-        if isinstance(slope, Slope):  # along the slope
+        if is_slope(slope):  # along the slope
             x, y = uphill(slope, model)
             return (x, y) if word == "up" else (-x, -y)
         return WORDS[word]
@@ -100,7 +99,7 @@ def supported(item: String, here: int, there: int, model: Known) -> Way | None:
     if owner == "ceiling":
         return DOWN
     surface = model.surfaces.get(owner)
-    return normal(surface, model) if isinstance(surface, Wall) else None
+    return normal(surface, model) if is_wall(surface) else None
 
 
 def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
@@ -112,7 +111,7 @@ def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
     if way is None:
         return None
     slope = lain_on(ref.owner, model)
-    if isinstance(slope, Slope):
+    if is_slope(slope):
         return uphill(slope, model)
     if abs(way[1]) < 1e-9:
         return RIGHT if there > here else (-1.0, 0.0)
@@ -135,7 +134,7 @@ def as_carrier(item: String, here: int, there: int, model: Known) -> Way | None:
     if way is None:
         return None
     slope = lain_on(owner, model)
-    if isinstance(slope, Slope):
+    if is_slope(slope):
         return uphill(slope, model)
     return UP if abs(way[1]) > 1e-9 else RIGHT if there > here else (-1.0, 0.0)
 

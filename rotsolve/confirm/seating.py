@@ -11,12 +11,12 @@ from rotsolve.confirm.pose import Way
 from rotsolve.confirm.signs import GROUND, carrier_of
 from rotsolve.elements.asked import is_belt, is_gear
 from rotsolve.elements.connections.supports import Axle, Hinge
-from rotsolve.elements.surfaces import Curved
 from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
     from rotsolve.elements.connections.touch import Touch
+    from rotsolve.elements.surfaces import Curved
 
 Joint = tuple[PointRef, PointRef]
 

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 from rotsolve.confirm.jet import Jet
 from rotsolve.confirm.pose import Pair, Pose, Way, along
-from rotsolve.confirm.signs import surface_of, taken_aside, travel
-from rotsolve.elements.asked import is_touch
-from rotsolve.elements.surfaces import Curved, Level
+from rotsolve.confirm.signs import level_named, surface_of, taken_aside, travel
+from rotsolve.elements.asked import is_curved, is_touch
 from rotsolve.language.bodies import PointRef
 
 if TYPE_CHECKING:
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
 def on_side(name: str, model: Known) -> Touch | None:
     """The contact of that name, where it lays a body on a flat side that goes another way than along itself."""
     item = next((item for item in model.acting.connections if item.name == name), None)
-    if not is_touch(item) or item.side is None or isinstance(item.side, Curved):
+    if not is_touch(item) or item.side is None or is_curved(item.side):
         return None
     return item if taken_aside(item, item.side, model) else None
 
@@ -40,14 +39,14 @@ def from_middle(item: Touch, pose: Pose, model: Known) -> Pair:
 def on_round_side(name: str, model: Known) -> Touch | None:
     """The contact of that name, where it lays a body on a round side of another one."""
     item = next((item for item in model.acting.connections if item.name == name), None)
-    return item if is_touch(item) and isinstance(item.side, Curved) else None
+    return item if is_touch(item) and is_curved(item.side) else None
 
 
 def way_round(item: Touch, pose: Pose, model: Known) -> Way:
     """The way along a round side that counts as positive where a body is: to the right over the top, or through the lowest place."""
     x, y = (part.value for part in from_middle(item, pose, model))
     size = math.hypot(x, y) or 1.0
-    outside = isinstance(item.side, Curved) and item.side.outside
+    outside = is_curved(item.side) and item.side.outside
     return (y / size, -x / size) if outside else (-y / size, x / size)
 
 
@@ -56,4 +55,4 @@ def gone_down(item: Touch, pose: Pose, model: Known, *, gone: bool = False) -> J
     own, under = item.lying(), item.pair()[1].owner
     spots = ((own, model.travelling(own)), (under, model.seats[under].rigid.centre))
     (x, y), (u, w) = ((pose.moved if gone else pose.place)(name, spot) for name, spot in spots)
-    return along((x - u, y - w), travel(surface_of(item, model) or Level(under), "down", model))
+    return along((x - u, y - w), travel(surface_of(item, model) or level_named(under), "down", model))

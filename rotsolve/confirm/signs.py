@@ -9,17 +9,25 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import Formula
 from rotsolve.confirm.bodies import is_round, on_rim
 from rotsolve.confirm.pose import Way, heading, turned
-from rotsolve.elements.asked import is_drapes, is_spring, is_touch
-from rotsolve.elements.connections.strings import String
+from rotsolve.elements.asked import (
+    is_curved,
+    is_drapes,
+    is_level_surface,
+    is_slope,
+    is_spring,
+    is_string,
+    is_touch,
+    is_wall,
+)
 from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
 from rotsolve.elements.shapes import rim_radius, rims
-from rotsolve.elements.surfaces import Curved, Dome, Hollow, Level, Slope, Wall
 from rotsolve.language.bodies import PointRef, Surface
 from rotsolve.language.elements import Connection
 
 if TYPE_CHECKING:
     from rotsolve.confirm.known import Known
     from rotsolve.elements.connections.touch import Touch
+    from rotsolve.elements.surfaces import Curved
 
 WORDS: dict[str, Way] = {"right": (1.0, 0.0), "up": (0.0, 1.0), "left": (-1.0, 0.0), "down": (0.0, -1.0)}
 RIGHT, UP, LEFT, DOWN = WORDS.values()
@@ -28,9 +36,9 @@ GROUND = ("ground", "ceiling")
 
 def normal(surface: Surface, model: Known) -> Way:
     """Out of a flat surface."""
-    if isinstance(surface, Wall):
+    if is_wall(surface):
         return RIGHT if surface.wall == "left" else LEFT
-    if isinstance(surface, Slope) and surface.slope is not None:
+    if is_slope(surface) and surface.slope is not None:
         angle = model.value(surface.slope)
         return heading(math.pi / 2 + (angle if surface.down == "left" else -angle))
     return UP
@@ -39,16 +47,16 @@ def normal(surface: Surface, model: Known) -> Way:
 def uphill(surface: Surface, model: Known) -> Way:
     """The way up a slope or a wall; on the level to the right."""
     out = normal(surface, model)
-    if isinstance(surface, Wall):
+    if is_wall(surface):
         return UP
-    return turned(out, 1 if isinstance(surface, Slope) and surface.down == "right" else -1)
+    return turned(out, 1 if is_slope(surface) and surface.down == "right" else -1)
 
 
 def travel(surface: Surface, moves: str | None, model: Known) -> Way:
     """Positive way along a flat surface: as declared, else right or up; on a slope `up`, `down` and the sides mean along it."""
     ahead = uphill(surface, model)
-    back = {"left"} if isinstance(surface, Level) else {"down"}
-    if isinstance(surface, Slope):
+    back = {"left"} if is_level_surface(surface) else {"down"}
+    if is_slope(surface):
         back = {"down", surface.down}
     return (-ahead[0], -ahead[1]) if moves in back else ahead
 
@@ -76,19 +84,26 @@ def surface_of(item: Touch, model: Known) -> Surface | None:
         for other in model.acting.connections:
             if is_touch(other) and other.lying() == under.owner and other is not item:
                 return surface_of(other, model)
-        return Level(under.owner)
+        return level_named(under.owner)
     found = [model.surfaces[ref.owner] for ref in item.places() if ref.owner in model.surfaces]
     if len(found) > 1 and any(
         line.path is not None and line.path.owner == item.name for line in model.acting.state.conditions
     ):
-        return next(
-            (surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None), None
-        )
-    return found[0] if found else Level("ground")
+        return next((surface for surface in found if is_curved(surface) and surface.radius() is not None), None)
+    return found[0] if found else level_named("ground")
+
+
+def level_named(name: str) -> Surface:
+    """The level surface of that name."""
+    from rotsolve.elements.surfaces import Level
+
+    return Level(name)
 
 
 def rim_under(item: Touch, model: Known) -> Curved | None:
     """The rim of a round body on which, or in which, a ball or a particle lies; None where nothing round does."""
+    from rotsolve.elements.surfaces import Dome, Hollow
+
     own, under = item.pair()[:2]
     body, carrier, inside = model.body(own.owner), model.body(under.owner), bool(item.on_inside())
     if not (is_round(carrier) and (is_round(body) or (body.shape is not None and body.shape.pointlike))):
@@ -141,7 +156,7 @@ def led_on(name: str, at: PointRef | None, beside: frozenset[str], model: Known)
             continue
         if is_touch(item) and item.lying() == name and not on_wheel(item, model):
             return True
-        ends = (item.string[0], item.string[-1]) if isinstance(item, String) else getattr(item, "spring", ())
+        ends = (item.string[0], item.string[-1]) if is_string(item) else getattr(item, "spring", ())
         if not is_round(body) and any(own.owner == name and own.point in (None, "center") for own in ends):
             return True
         for own, carrier in carried_by(item, name, beside, model):
@@ -214,7 +229,7 @@ def line(name: str, model: Known) -> Way | None:
     for item in model.acting.connections:
         if is_touch(item) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
-            if surface is not None and not isinstance(surface, Curved) and not taken_aside(item, surface, model):
+            if surface is not None and not is_curved(surface) and not taken_aside(item, surface, model):
                 return travel(surface, body.moves, model)
             bent = True
         if is_drapes(item) and item.drapes[0].owner == name:
@@ -236,7 +251,7 @@ def hangs(name: str, model: Known) -> bool:
     """Whether a body hangs from a string or spring by its centre, or a wheel in a string under it, and no other body carries it."""
     for item in model.acting.connections:
         refs: tuple[PointRef, ...] = ()
-        if isinstance(item, String):
+        if is_string(item):
             refs = (item.string[0], item.string[-1])
             if name in item.under and name not in {ref.owner for ref in refs}:
                 return mover(name, model) == name
@@ -259,9 +274,9 @@ def sense(name: str, model: Known) -> int:
     for item in (*model.acting.connections, *late, *taken_from_under(model)):
         if is_touch(item) and item.lying() == name and rests(item, model):
             surface = surface_of(item, model)
-            if isinstance(surface, Curved) and carrier_travels(item, model):
+            if is_curved(surface) and carrier_travels(item, model):
                 continue
-            if isinstance(surface, Curved):
+            if is_curved(surface):
                 return round_way(surface, body.moves) * (1 if surface.outside else -1)
             if surface is not None and name not in model.held:
                 moves = "down" if taken_aside(item, surface, model) else body.moves

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from msgspec import Struct
 from msgspec.structs import replace
 
@@ -63,6 +65,7 @@ class Drive(Struct, frozen=True):
         return pace_of(self.rates()[self.kinds[2]])
 
 
+@lru_cache(256)  # each moment asks it of the same few functions
 def derivative(function: Formula) -> Formula:
     """df/dt, a polynomial by its powers: 2 c t + 3 d t²."""
     return in_powers(simplify(differentiate(function, TIME)), TIME)

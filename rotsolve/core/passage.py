@@ -151,6 +151,10 @@ class Alteration(Struct, frozen=True):
     equation: Callable[[Equation], Equation | None] | None = None
     in_space: Callable[..., Any] | None = None
 
+    def restated(self, facts: Facts) -> Facts:
+        """The facts as they are changed."""
+        return facts if self.facts is None else self.facts(facts)
+
     def rewritten(self, equations: Iterable[Equation]) -> list[Equation]:
         """The equations as they are changed, without those that are left out."""
         if self.equation is None:

@@ -19,10 +19,13 @@ def remembered(method: Method) -> Method:
 
     @wraps(method)
     def answer(self: Any, *asked: Any) -> Any:
-        known: dict[Any, Any] = self.__dict__.setdefault(name, {})
-        if asked not in known:
-            known[asked] = method(self, *asked)
-        return known[asked]
+        try:
+            return self.__dict__[name][asked]
+        except KeyError:
+            pass
+        found = method(self, *asked)
+        self.__dict__.setdefault(name, {})[asked] = found
+        return found
 
     return cast(Method, answer)
 

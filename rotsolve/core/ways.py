@@ -5,7 +5,6 @@ from __future__ import annotations
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.calculus.integral import integrate_by_hand
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Integral, add
 
@@ -40,6 +39,8 @@ class WayOnJoint(Struct, frozen=True):
         """E + ∫ Q dq − W at a place."""
         given: Formula | None = ZERO
         if self.effort != ZERO:
+            from rotsolve.algebra.calculus.integral import integrate_by_hand
+
             given = integrate_by_hand(self.effort, PLACE, self.start, place)
         there = self.gap.substitute({PLACE: place})
         return add(there, Integral(self.effort, PLACE, self.start, place) if given is None else given)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Symbol
 from rotsolve.algebra.units.dimension import TIME, DimensionError, dimension_of
 from rotsolve.core.derivation import Check
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import POSITION
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters, listed
@@ -19,6 +19,9 @@ from rotsolve.language.problem import TimeValue
 from rotsolve.motion.rubs import HOLDS, STICKS, rubs_at
 from rotsolve.search.consistency import KnownBalls
 from rotsolve.search.search import Search
+
+if TYPE_CHECKING:
+    from rotsolve.core.passage import Passage, Travel
 
 
 def dimensions(search: Search) -> Iterator[Check]:

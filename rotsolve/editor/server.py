@@ -62,9 +62,13 @@ class SceneServer(LanguageServer):
     def codec(self) -> PositionCodec:
         return self.workspace.position_codec
 
+    def is_open(self, uri: str) -> bool:
+        """Whether a text is open, as the client names it: the workspace has its own spelling of what is written with %20."""
+        return any(document.uri == uri for document in self.workspace.text_documents.values())
+
     def scene(self, uri: str) -> SceneText:
-        """A text as it is now."""
-        source = self.workspace.get_text_document(uri).source
+        """A text as it is now; of one that is not open, nothing."""
+        source = self.workspace.get_text_document(uri).source if self.is_open(uri) else ""
         known = self.texts.get(uri)
         if known is None or known.whole != source:
             known = self.texts[uri] = SceneText(source)
@@ -105,7 +109,7 @@ class SceneServer(LanguageServer):
     def check(self, uri: str, *, solve: bool = False) -> None:
         """Read a text and show its faults; one that has none is solved if that is asked for."""
         self.forget_pause(uri)
-        if uri not in self.workspace.text_documents:
+        if not self.is_open(uri):
             return
         scene = self.scene(uri)
         self.publish(uri, scene.faults)
@@ -117,7 +121,7 @@ class SceneServer(LanguageServer):
 
     def show_trial(self, uri: str, text: str, found: tuple[Fault, ...]) -> None:
         """Show what a trial has found out, if the text is still the one that was tried."""
-        if uri in self.workspace.text_documents and self.scene(uri).whole == text:
+        if self.is_open(uri) and self.scene(uri).whole == text:
             self.publish(uri, found)
 
     def check_soon(self, uri: str) -> None:

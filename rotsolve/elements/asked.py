@@ -15,13 +15,21 @@ if TYPE_CHECKING:
     from rotsolve.elements.connections.drapes import Drapes
     from rotsolve.elements.connections.drives import Belt, Gear
     from rotsolve.elements.connections.springs import Spring, Torsion
+    from rotsolve.elements.connections.strings import String
     from rotsolve.elements.connections.touch import Touch
+    from rotsolve.elements.surfaces import Curved, Level, Slope, Wall
 
 
 def loaded_kind(module: str, name: str) -> tuple[type[Any], ...]:
     """The class of a module of elements, if that is loaded."""
     loaded = sys.modules.get(f"rotsolve.elements.{module}")
     return () if loaded is None else (getattr(loaded, name),)
+
+
+@cache
+def home_of_kind(kind: type[Any]) -> str:
+    """Where a kind of element is, as `elements/tables` says it: `connections.springs.Spring`."""
+    return f"{kind.__module__.removeprefix('rotsolve.elements.')}.{kind.__name__}"
 
 
 @cache
@@ -32,6 +40,10 @@ def derives_from(kind: Any, module: str, name: str) -> bool:
 
 def is_touch(item: Any) -> TypeGuard[Touch]:
     return derives_from(item.__class__, "connections.touch", "Touch")
+
+
+def is_string(item: Any) -> TypeGuard[String]:
+    return derives_from(item.__class__, "connections.strings", "String")
 
 
 def is_drapes(item: Any) -> TypeGuard[Drapes]:
@@ -60,3 +72,19 @@ def is_band(item: Any) -> TypeGuard[Band]:
 
 def is_collides(item: Any) -> TypeGuard[Collides]:
     return derives_from(item.__class__, "collisions", "Collides")
+
+
+def is_curved(item: Any) -> TypeGuard[Curved]:
+    return derives_from(item.__class__, "surfaces", "Curved")
+
+
+def is_level_surface(item: Any) -> TypeGuard[Level]:
+    return derives_from(item.__class__, "surfaces", "Level")
+
+
+def is_slope(item: Any) -> TypeGuard[Slope]:
+    return derives_from(item.__class__, "surfaces", "Slope")
+
+
+def is_wall(item: Any) -> TypeGuard[Wall]:
+    return derives_from(item.__class__, "surfaces", "Wall")

@@ -36,10 +36,9 @@ from rotsolve.equations.swing import Swing, displacements, displacements_of_body
 from rotsolve.language.keys import Element, varying_values
 from rotsolve.language.problem import MODE, Term
 from rotsolve.laws import groups
-from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.configuration import Configuration, groups_of
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import groups_of
 from rotsolve.paths.meaning import NotYet
 
 PLACES = ("elongation", "angle")  # what balance decides

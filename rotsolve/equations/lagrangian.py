@@ -30,9 +30,9 @@ from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.equations.states import rates_of_body
 from rotsolve.laws.energy import kinetic
 from rotsolve.laws.table import KEPT, MOTION, BetweenMoments, OfMotion, equations_for
+from rotsolve.motion.configuration import groups_of
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import groups_of
 
 MOVING = ("velocity", "acceleration")
 TURNING = ("angular_velocity", "angular_acceleration", "angle", "rotation")

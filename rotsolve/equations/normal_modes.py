@@ -177,9 +177,9 @@ class Mode(Swing, frozen=True, dict=True):
             raise NotYet(f"what damps {names} is not proportional to how fast they go")
         return tuple(tuple(there(-differentiate(push, speed)) for speed in going) for push in pushes)
 
-    def equations(self) -> Iterator[Equation]:
+    def equations(self) -> tuple[Equation, ...]:
         """None: the rows are written once it is known where all stands."""
-        return iter(())
+        return ()
 
     @property
     def unsettled(self) -> tuple[str, ...]:

@@ -16,7 +16,6 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import FAMILIES, Equation
 from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Fault, Span
-from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import DAMPINGS, OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import is_key, rub_of
@@ -37,16 +36,16 @@ from rotsolve.laws.table import (
     ThroughEvent,
     equations_for,
 )
-from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.configuration import Configuration, groups_of
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.paths.reader import PathReader
 from rotsolve.profile import staged
 
 if TYPE_CHECKING:
+    from rotsolve.core.passage import Encounter, Passage, Travel
     from rotsolve.equations.swing import Swing
 
 WRITTEN_A_STEP = 2  # equations that the laws write
@@ -60,11 +59,13 @@ class SceneEquations(Struct, dict=True):
     registry: Registry = field(default_factory=Registry)
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
     told: list[tuple[str, Condition]] = field(default_factory=list)  # the quantities that lines of states fix, by key
+    told_by_facts: bool = False  # whether facts of bodies tell what some of them fix
     restated: dict[str, list[Equation]] = field(default_factory=dict)  # those that `--law` has asked for, by family
     not_restated: list[str] = field(default_factory=list)  # why that was not done for some bodies
     _instants: dict[tuple[str, bool, bool], Instant] = field(default_factory=dict)
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
     _moments: dict[object, list[Equation]] | None = None  # what is said of single states, by the modes there
+    _like: SceneEquations | None = None  # the scene with nothing altered, whose moments it has
 
     def __post_init__(self) -> None:
         if self._moments is None:
@@ -72,6 +73,7 @@ class SceneEquations(Struct, dict=True):
             statements = Statements(Fixed(self.configuration, self.registry, self.modes))
             self.stated += statements.take()
             self.told += statements.told
+            self.told_by_facts = statements.told_by_facts
 
     def in_order(self, formula: Formula) -> Formula:
         """A formula with its products in the order in which its laws are written."""
@@ -123,18 +125,34 @@ class SceneEquations(Struct, dict=True):
         states = self.configuration.timeline.states
         if any(line.path is not None and line.path.owner in rubbing for state in states for line in state.conditions):
             return SceneEquations(self.configuration, modes)
-        other = SceneEquations(self.configuration, modes, self.registry, self.stated, self.told, _moments=self._moments)
+        shared = (self.registry, self.stated, self.told, self.told_by_facts)
+        other = SceneEquations(self.configuration, modes, *shared, _moments=self._moments)
         same = {state.name for state in states if self.modes_at(state.name) == other.modes_at(state.name)}
         other._instants.update((key, instant) for key, instant in self._instants.items() if key[0] in same)
         other._facts.update((key, facts) for key, facts in self._facts.items() if key[0] in same)
         return other
 
     def rewritten_by(self, configuration: Configuration) -> SceneEquations:
-        """The same scene with its equations altered as a configuration says, whose facts are the same: it shares all moments."""
-        other = SceneEquations(configuration, self.modes, self.registry, self.stated, self.told, _moments=self._moments)
-        other._instants.update(self._instants)
-        other._facts.update(self._facts)
-        return other
+        """The same scene with facts, laws or equations altered as a configuration says: it shares all that these leave as it is.
+
+        Where what a state fixes is told by facts, or the place about which something swings, and these are altered, nothing is shared.
+        """
+        altered = configuration.alteration
+        assert altered is not None
+        if altered.facts is None:
+            moments = self._moments
+        elif self.told_by_facts or self.swings:
+            return SceneEquations(configuration, self.modes)
+        else:
+            moments = {}
+        shared = (self.registry, self.stated, self.told)
+        return SceneEquations(configuration, self.modes, *shared, _moments=moments, _like=self)
+
+    @property
+    def _same_facts(self) -> SceneEquations | None:
+        """The scene with nothing altered, where its facts are those of this one."""
+        altered = self.configuration.alteration
+        return self._like if altered is None or altered.facts is None else None
 
     def modes_at(self, state: str) -> tuple[tuple[str, str], ...]:
         """How what rubs at a state moves there, as far as it does not stick."""
@@ -142,6 +160,8 @@ class SceneEquations(Struct, dict=True):
         return tuple(sorted(item for item in self.modes.items() if rub_of(item[0])[1] == start))
 
     def instant(self, state: str, *, generic: bool = False, virtual: bool = False) -> Instant:
+        if self._like is not None:
+            return self._like.instant(state, generic=generic, virtual=virtual)
         key = (state, generic, virtual)
         if key not in self._instants:
             self._instants[key] = Instant(self.configuration, self.registry, state, generic, self.modes, virtual)
@@ -150,7 +170,14 @@ class SceneEquations(Struct, dict=True):
     def facts(self, state: str, *, generic: bool = False, virtual: bool = False) -> Facts:
         key = (state, generic, virtual)
         if key not in self._facts:
-            self._facts[key] = free_bodies(self.instant(state, generic=generic, virtual=virtual))
+            if self._like is None:
+                self._facts[key] = free_bodies(self.instant(state, generic=generic, virtual=virtual))
+            else:
+                stated, altered = (
+                    self._like.facts(state, generic=generic, virtual=virtual),
+                    self.configuration.alteration,
+                )
+                self._facts[key] = stated if altered is None else altered.restated(stated)
         return self._facts[key]
 
     def reader(self, state: str, *, generic: bool = False) -> PathReader:
@@ -159,9 +186,13 @@ class SceneEquations(Struct, dict=True):
     @cached_property
     def passages(self) -> dict[str, Passage]:
         """All phases by name."""
+        if self._same_facts is not None:
+            return self._same_facts.passages
         result = {}
         for interval in self.configuration.timeline.intervals:
             if interval.event is None:
+                from rotsolve.motion.passages import passage
+
                 pair = [(self.instant(state), self.facts(state)) for state in (interval.start, interval.end)]
                 midst = (self.instant(interval.start, generic=True), self.facts(interval.start, generic=True))
                 result[interval.name] = passage(interval, pair[0], pair[1], midst)
@@ -170,6 +201,8 @@ class SceneEquations(Struct, dict=True):
     @cached_property
     def encounters(self) -> dict[str, Encounter]:
         """All events that change velocities, by name."""
+        if self._same_facts is not None:
+            return self._same_facts.encounters
         result = {}
         for interval in self.configuration.timeline.intervals:
             if interval.event is not None:
@@ -184,6 +217,8 @@ class SceneEquations(Struct, dict=True):
     @cached_property
     def swings(self) -> dict[str, Swing]:
         """The swings that questions speak of, by the section of the displaced bodies and the body that leads."""
+        if self._same_facts is not None:
+            return self._same_facts.swings
         states = self.configuration.timeline.states
         observations = [(line, term) for state in states for line, term in observed(state)]
         spoken_of = (*self._swings_asked(), *((term, line.span) for line, term in observations))
@@ -227,7 +262,7 @@ class SceneEquations(Struct, dict=True):
         """All equations, none that says nothing, of equal ones of a family the cheapest; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
         altered = self.configuration.alteration
-        for equation in self._written() if altered is None else altered.rewritten(self._written()):
+        for equation in self.written if altered is None else altered.rewritten(self.written):
             key = (equation.left, equation.right, equation.family)
             twin = written.get(key)
             dearer = twin is not None and twin.cost <= equation.cost
@@ -257,6 +292,14 @@ class SceneEquations(Struct, dict=True):
     def _empty(self, equation: Equation) -> bool:
         """Whether an equation holds whatever happens (0 = 0 once rest is put in)."""
         return not any(map(is_key, equation.symbols())) and is_zero(equation.left - equation.right)
+
+    @cached_property
+    def written(self) -> list[Equation]:
+        """All that the states say and the laws write, as it stands before single equations are altered."""
+        altered, same = self.configuration.alteration, self._same_facts
+        if same is not None and (altered is None or altered.event is None):
+            return same.written
+        return list(self._written())
 
     def _written(self) -> Iterator[Equation]:
         """All that the states say and the laws write, in the order of time within each kind."""
@@ -309,6 +352,8 @@ class SceneEquations(Struct, dict=True):
     @cached_property
     def _phases(self) -> dict[str, OverPhase]:
         """All phases by name, as laws see them."""
+        if self._same_facts is not None:
+            return self._same_facts._phases
         found = {}
         for name, over in self.passages.items():
             start = over.start.state
@@ -337,7 +382,8 @@ class SceneEquations(Struct, dict=True):
 
     def leading_to(self, state: str) -> list[Passage]:
         """The phases before a state, back to the last event."""
-        timeline, found = self.configuration.timeline, list[Passage]()
+        timeline = self.configuration.timeline
+        found: list[Passage] = []
         before = timeline.before(state)
         while before is not None and before.event is None:
             found.insert(0, self.passages[before.name])

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Negative, Sum, Symbol, total
 from rotsolve.core.equation import STATED, Equation
-from rotsolve.core.facts import signed
+from rotsolve.core.facts import Facts, signed
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import CONSTANT, RATE, has_quantities, is_key, is_quantity, paths_in
@@ -24,9 +24,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
 from rotsolve.motion.timeline import Interval
-from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import NotYet
-from rotsolve.paths.points import displacement_over
 from rotsolve.paths.reader import PathReader
 
 
@@ -215,6 +213,7 @@ class Statements(Struct):
     fixed: Fixed
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
     told: list[tuple[str, Condition]] = field(default_factory=list)  # the quantities that lines fix, by key
+    told_by_facts: bool = False  # whether facts of bodies tell what some of them fix
 
     @property
     def configuration(self) -> Configuration:
@@ -415,12 +414,20 @@ class Statements(Struct):
         if path.quantity == "displacement":
             return self._gone(path, instant)
         if path.quantity == "rotation":
+            from rotsolve.motion.travels import angle_turned
+
             phases = [part for part in self.configuration.timeline.since(state) if part.event is None]
             return total([angle_turned(path.owner, part, instant) for part in phases])
-        return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
+        return PathReader(instant, lambda: self._facts(instant)).meaning(path).formula
+
+    def _facts(self, instant: Instant) -> Facts:
+        self.told_by_facts = True
+        return free_bodies(instant)
 
     def _gone(self, path: Path, instant: Instant) -> Formula:
         """The way of a body since the state before, along its line or in one direction."""
+        from rotsolve.paths.displacements import displacement_over
+
         parts = self.configuration.timeline.since(instant.state)
         instants = [(part, self.fixed.instant(part.start), self.fixed.instant(part.end)) for part in parts]
         return total([displacement_over(path, *ends) for ends in instants if ends[0].event is None])

@@ -15,6 +15,7 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
 from rotsolve.core.quantity import FREQUENCIES, QUANTITIES
+from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import SymbolKey, has_quantities, key_of, of_kinds
 from rotsolve.core.vectors.heading import RIGHT, UP, heading, opposite
 from rotsolve.core.writing import spoken
@@ -170,8 +171,12 @@ class Swing(Struct, frozen=True, dict=True):
         names = of_kinds({name for equation in self.equations() for name in equation.symbols()}, STRETCHES)
         return tuple(name for name in names if key_of(name).when == self.rest.when)
 
-    def equations(self) -> Iterator[Equation]:
+    @remembered
+    def equations(self) -> tuple[Equation, ...]:
         """The laws at the equilibrium and near it, the rules to first order, and what the period has to do with them."""
+        return tuple(self._written())
+
+    def _written(self) -> Iterator[Equation]:
         if self.found:  # Σ F = 0 and Σ τ = 0, where it is no state of the scene
             facts = self.within(free_bodies(self.rest))
             yield from equations_for(REST, AtMoment(facts, self.balanced, self.balanced))

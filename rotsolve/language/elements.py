@@ -15,6 +15,7 @@ from rotsolve.core.drive import Drive
 from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Summed, Whirl
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.limits import Limit
+from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
 from rotsolve.language.bodies import Body, Coupling, Joint, Orbit, PointRef, Ride, Surface
@@ -273,6 +274,7 @@ class Connection(ActingElement, frozen=True):
         """The connection with letters for what the scene leaves out; `held` are the bodies on axles and hinges."""
         return self
 
+    @remembered
     def touches(self) -> tuple[PointRef, ...]:
         return tuple(ref for field in self.pointed for ref in getattr(self, field))
 

@@ -311,7 +311,9 @@ def references(item: object) -> Iterator[PointRef | Path]:
             yield from references(part)
     elif isinstance(item, Struct) and not isinstance(item, Formula):
         for name in item.__struct_fields__:
-            yield from references(getattr(item, name))
+            part = getattr(item, name)
+            if isinstance(part, (tuple, Struct)):
+                yield from references(part)
 
 
 def before(state: str, problem: Problem) -> Problem | None:

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import HALF, ZERO, Formula, Number, Product, Symbol, negate
 from rotsolve.core.derivation import NEXT, Words
 from rotsolve.core.equation import CONSERVATION, FROM_REST, FROM_STATE_TO_STATE, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
-from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP, Vector
 from rotsolve.core.writing import flat, is_negative, moved, positive_first, spoken
 from rotsolve.laws.table import OverPhase
+
+if TYPE_CHECKING:
+    from rotsolve.core.passage import Passage
 
 
 def conservation(over: OverPhase) -> Iterator[Equation]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from rotsolve.algebra.calculus.integral import carried_out
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Sum, Symbol, multiply
 from rotsolve.core.derivation import NEXT, SHOWN, Words
@@ -96,6 +95,8 @@ def mass_beside_density(spread: Spread, sigma: Formula) -> Iterator[Equation]:
     piece = spread.pieces[0]
     if piece.shape.graded:
         if spread.mass != piece.shape.measure():
+            from rotsolve.algebra.calculus.integral import carried_out
+
             cut = sliced(spread, piece)
             integral = cut.total(ONE, spread.tidy)
             whole = carried_out(integral, spread.positive)  # what stands in an integral can not be solved for

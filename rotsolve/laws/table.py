@@ -75,10 +75,10 @@ from rotsolve.core.equation import (
     Law,
 )
 from rotsolve.core.facts import Facts, Rule
-from rotsolve.core.passage import Encounter, Passage
 
 if TYPE_CHECKING:
     from rotsolve.core.lagrangian import Lagrangian
+    from rotsolve.core.passage import Encounter, Passage
 
 STATE = "state"  # AtMoment: each state
 GROUP = "group"  # OfGroup: tied bodies at a state

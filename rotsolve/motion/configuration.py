@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import BY_INERTIA, TURNING, Drive, along_line
-from rotsolve.core.facts import Whirl, signed
+from rotsolve.core.facts import Facts, Whirl, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import MIXED, UNKNOWN, combined
@@ -461,3 +461,8 @@ class Configuration(Arrangement, frozen=True, dict=True):
         centre = centre_of_mass(items)
         reference = locate(body, pivot) if pivot is not None else centre if hub is None else hub
         return Frame(items, reference, polar(tidy(centre - reference)))
+
+
+def groups_of(configuration: Configuration, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
+    """Bodies that move together, group by group."""
+    return tuple(dict.fromkeys(configuration.component(body.name, state) for body in facts.bodies))

@@ -40,7 +40,7 @@ Told = TypeVar("Told", Rule, Potential)
 def free_bodies(instant: Instant) -> Facts:
     """The facts of all bodies that are present at an instant, as they are changed where that is done on purpose."""
     altered, stated = instant.configuration.alteration, facts_at(instant)
-    return stated if altered is None or altered.facts is None else altered.facts(stated)
+    return stated if altered is None else altered.restated(stated)
 
 
 def facts_at(instant: Instant) -> Facts:

@@ -12,13 +12,13 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Passage, Work
 from rotsolve.core.symbols import UNKNOWN, key_of
 from rotsolve.core.vectors.heading import RIGHT, UP
+from rotsolve.motion.configuration import groups_of
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.places import gone_along, heights, way_by_links
 from rotsolve.motion.travels import Lead, leading_place, leading_rate, led, stored_place, travels_of
 from rotsolve.motion.works import PhaseWorks, works_on
 
 if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.timeline import Interval
 
 
@@ -159,8 +159,3 @@ def leads_of(groups: Sequence[frozenset[str]], start: Known, end: Known, midst: 
         for group in groups
         for name in group
     }
-
-
-def groups_of(configuration: Configuration, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
-    """Bodies that move together, group by group."""
-    return tuple(dict.fromkeys(configuration.component(body.name, state) for body in facts.bodies))

@@ -145,6 +145,14 @@ def mass_of(body: Body) -> Formula:
 
 def pieces(body: Body) -> tuple[RigidPiece, ...]:
     """The pieces of a body: itself, its parts, and its holes with negative mass; all of it for each copy of `count`."""
+    try:
+        found: tuple[RigidPiece, ...] = body.__dict__["pieces"]
+    except KeyError:
+        found = body.__dict__["pieces"] = _all_pieces(body)
+    return found
+
+
+def _all_pieces(body: Body) -> tuple[RigidPiece, ...]:
     own = _own_piece(body)
     parts = tuple(piece for part in body.parts for piece in _placed(part, ONE))
     holes = tuple(piece for hole in body.holes for piece in _cut(hole, body))

@@ -16,7 +16,6 @@ from rotsolve.elements.shapes import rim_radius, rivals, shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
 from rotsolve.laws.newton import torque_about
-from rotsolve.motion.places import height
 from rotsolve.motion.rigid import mass_of, moment_about, tidy
 from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, path_text, vector_size
 from rotsolve.paths.shares import Share, joined, place_about, share_of
@@ -92,6 +91,8 @@ class OfBodies(AtInstant, frozen=True):
     def height_above(self, path: Path, term: Term | None) -> Formula:
         """Height above the level that the scene counts from."""
         name, host = path.owner, self.instant.host(path.owner)
+        from rotsolve.motion.places import height
+
         above = height(host, self.instant)
         if self.instant.motion(name).kind == "axis":
             help = f"ask for `change of {name}.potential_energy`, or for the displacement of a point: `{name}.cm.displacement.y`"

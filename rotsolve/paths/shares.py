@@ -13,7 +13,6 @@ from rotsolve.algebra.formula import HALF, ZERO, Formula, total
 from rotsolve.core.facts import BodyFacts, Motion, square
 from rotsolve.core.vectors.heading import NOWHERE, Vector, unit
 from rotsolve.language.problem import PointRef
-from rotsolve.motion.corners import refuse_untold
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.paths.meaning import NotYet
 
@@ -105,6 +104,8 @@ def joined(name: str, instant: Instant) -> bool:
 def place_about(about: PointRef, name: str, instant: Instant) -> Vector:
     """The point about which is asked, from the reference of all that is joined to a body: a point of one of these, the support that
     holds them, a point on the same axis, or of what the body meets in an event."""
+    from rotsolve.motion.corners import refuse_untold
+
     configuration, host = instant.configuration, instant.host(name)
     support = configuration.connection(about.owner, instant.state)
     points = support.touches() if support is not None else (about,)

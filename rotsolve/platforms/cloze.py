@@ -15,7 +15,9 @@ from rotsolve.platforms.known import PlatformPart
 from rotsolve.platforms.moodle import QuestionFrame, known_share
 
 WHOLE = (100, 90, 80, 75, 70, 60, 50, 40, 30, 25, 20, 10, 5, 0)  # percents that have no decimals
-OWN = str.maketrans({"}": r"\}", "#": r"\#", "~": "∼", "\n": " "})  # what ends a part of a box
+OWN = str.maketrans(
+    {"&": "&amp;", "}": r"\}", "#": r"\#", "~": r"&amp;\#126;", "\\": r"&amp;\#92;", "\n": " "}
+)  # HTML within a box: Moodle undoes entities there once, then `\}` and `\#`; a `~` or a `\` would be its own
 
 
 def cloze(frame: QuestionFrame, name: str, parts: tuple[PlatformPart, ...]) -> Element:
@@ -71,13 +73,13 @@ def number_answers(frame: QuestionFrame, part: PlatformPart, place: int) -> Iter
 
 
 def choice_box(frame: QuestionFrame, part: PlatformPart, weight: int) -> str:
-    """A choice, one option below the other."""
+    """A choice, one option below the other, which Moodle shuffles unless they have labels."""
     answers = (
-        f"{mark_of(option.share if place else Fraction(1))}{frame.printer.words(option.shown).translate(OWN)}"
-        + feedback_of(frame, option.said)
-        for place, option in enumerate(part.options)
+        f"{mark_of(part.options[place].share if place else Fraction(1))}"
+        f"{frame.printer.words(part.options[place].shown).translate(OWN)}{feedback_of(frame, part.options[place].said)}"
+        for place in part.order
     )
-    return f"{{{weight}:MULTICHOICE_V:{'~'.join(answers)}}}"
+    return f"{{{weight}:{'MULTICHOICE_V' if part.in_words else 'MULTICHOICE_VS'}:{'~'.join(answers)}}}"
 
 
 def mark_of(share: Fraction) -> str:

@@ -42,7 +42,9 @@ MOST_OPTIONS = 5  # of a multiple choice
 MOST_KNOWN = 24  # wrong answers of a question: a teacher should be able to read them
 WRITTEN = Fraction(1, 1_000_000)  # the share within which a number is the one that was written
 BEYOND = Fraction(101, 100)  # margins within which a number lies on the edge
-INSIDE = tuple(Fraction(part, 10) for part in (9, -9, 7, -7))  # of the share by which rounding on the way may be off
+INSIDE = tuple(
+    Fraction(part, 10) for part in (5, -5, 7, -7)
+)  # of the way from what the answer may be off to what rounding makes it
 BY_SIDE = ", "
 
 
@@ -91,6 +93,14 @@ class PlatformPart(Struct, frozen=True):
     options: tuple[KnownOption, ...] = ()
     formulas: tuple[KnownFormula, ...] = ()
     in_words: bool = False  # whether an option is asked for, and no number or formula
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """The places of the options as they stand one below the other, which tells none: by their labels, others by what they are."""
+        places = range(len(self.options))
+        if self.in_words:
+            return tuple(sorted(places, key=lambda place: label_in_front(self.options[place])))
+        return tuple(sorted(places, key=lambda place: repr(self.options[place].shown)))
 
     @property
     def unit_cost(self) -> Fraction:
@@ -232,16 +242,18 @@ class KnownAnswers:
     def rough_numbers(
         self, target: Target, scalar: Scalar, right: tuple[str, ...], margin: Fraction
     ) -> Iterator[KnownNumbers]:
-        """All that is as far off as numbers rounded on the way make it."""
-        spread, number = self.judge.explaining.spread(scalar), Fraction(right[0])
-        if spread * abs(number) <= margin:
+        """All that is as far off as numbers rounded on the way make it, and farther than the answer may be."""
+        number = Fraction(right[0])
+        spread = self.judge.explaining.spread(scalar) * abs(number)
+        if spread <= margin:
             return
         for inside in INSIDE:
-            off = f"{float(number * (1 + spread * inside)):.6g}"
+            beyond = margin + abs(inside) * (spread - margin)
+            off = f"{float(number + (beyond if inside > 0 else -beyond)):.6g}"
             found = self.judged(target.name, typed_text((off,), target, (scalar,)))
             if found.marks and [remark.kind for remark in found.verdict.remarks] == ["rounding"]:
                 said = tuple(remark.words for remark in found.verdict.remarks)
-                yield KnownNumbers(right, (shown_margin(spread * abs(number)),), found.marks / found.of, said)
+                yield KnownNumbers(right, (shown_margin(spread),), found.marks / found.of, said)
                 return
 
     # formulas
@@ -311,6 +323,11 @@ class KnownAnswers:
     def rounded(self, number: str) -> str:
         """A decimal number with the digits of the key."""
         return f"{float(number):#.{self.digits}g}".rstrip(".")
+
+
+def label_in_front(option: KnownOption) -> str:
+    """The label in front of an option, (a)."""
+    return next((word for word in option.shown if isinstance(word, str)), "")
 
 
 def typed_text(numbers: tuple[str, ...], target: Target, scalars: tuple[Scalar, ...]) -> str:

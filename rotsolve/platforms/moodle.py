@@ -45,9 +45,14 @@ def quiz_xml(questions: Iterable[Element]) -> bytes:
 def category(*path: str) -> Element:
     """What puts the questions behind it into a category of the course."""
     question = Element("question", type="category")
-    names = (name.replace("/", "//") for name in path)
-    text_in(SubElement(question, "category"), "/".join(("$course$/top", *names)))
+    text_in(SubElement(question, "category"), "/".join(("$course$/top", *map(step_of_path, path))))
     return question
+
+
+def step_of_path(name: str) -> str:
+    """The name of a category in a path, which Moodle divides at each `/` that stands alone, and whose blanks it takes away."""
+    step = name[:LONGEST_NAME].replace("/", "//")
+    return f"{' ' if step.startswith('/') else ''}{step}{' ' if step.endswith('/') else ''}"
 
 
 def text_in(parent: Element, text: str) -> None:
@@ -135,8 +140,9 @@ class QuestionFrame:
             SubElement(question, tag).text = value
         for tag in ("correctfeedback", "partiallycorrectfeedback", "incorrectfeedback"):
             html_in(question, tag, "")
-        for option in part.options:
-            share = option.share if option is not part.options[0] else Fraction(1)
+        for place in part.order:
+            option = part.options[place]
+            share = option.share if place else Fraction(1)
             answer = SubElement(question, "answer", fraction=grade_text(share), format="html")
             text_in(answer, self.printer.sentence(option.shown))
             self.said(answer, option.said)

@@ -121,9 +121,9 @@ class ItemWriter:
             if value is not None:
                 self.add(self.add(outcome, "defaultValue"), "value", value)
         body = self.add(item, "itemBody")
+        self.solution(body, solution)  # 2.1 wants rubrics before all else
         self.markup(body, told)
         self.interaction(body, part)
-        self.solution(body, solution)
         said = self.processing(item, part)
         for name, phrases in said:
             self.wrapped(
@@ -140,7 +140,7 @@ class ItemWriter:
             for name, number in zip(names_of_boxes(part), part.numbers[0].numbers, strict=True):
                 self.declared(item, name, "float", number)
         elif part.options:
-            self.declared(item, ANSWER, "identifier", option_name(0))
+            self.declared(item, ANSWER, "identifier", option_name(part, 0))
         else:
             self.declared(item, ANSWER, "string", None)
 
@@ -160,12 +160,10 @@ class ItemWriter:
                 maxChoices="1",
             )
             self.words(self.add(choice, "prompt"), part.asked)
-            places = range(len(part.options))
-            order = (
-                sorted(places, key=lambda place: label_in_front(part.options[place].shown)) if part.in_words else places
-            )
-            for place in order:
-                self.words(self.add(choice, "simpleChoice", identifier=option_name(place)), part.options[place].shown)
+            for place in part.order:
+                self.words(
+                    self.add(choice, "simpleChoice", identifier=option_name(part, place)), part.options[place].shown
+                )
             return
         self.words(SubElement(body, self.plain("p")), part.asked)
         if not part.numbers:
@@ -198,7 +196,7 @@ class ItemWriter:
             if part.numbers:
                 self.numbers_equal(rule, part, place)
             else:
-                self.chosen(rule, place)
+                self.chosen(rule, part, place)
             share = one.share if place or part.numbers else Fraction(1)
             self.outcome(rule, SCORE, "float", plain_decimal(share * part.part.points))
             if one.said:
@@ -223,10 +221,10 @@ class ItemWriter:
             self.add(equal, "variable", identifier=name)
             self.add(equal, "baseValue", number, baseType="float")
 
-    def chosen(self, rule: Element, place: int) -> None:
+    def chosen(self, rule: Element, part: PlatformPart, place: int) -> None:
         match = self.add(rule, "match")
         self.add(match, "variable", identifier=ANSWER)
-        self.add(match, "baseValue", option_name(place), baseType="identifier")
+        self.add(match, "baseValue", option_name(part, place), baseType="identifier")
 
     # HTML
 
@@ -275,11 +273,6 @@ def names_of_boxes(part: PlatformPart) -> Sequence[str]:
     return [f"{ANSWER}_{place}" for place in range(1, len(part.boxes) + 1)]
 
 
-def option_name(place: int) -> str:
-    """The name of an option, which tells nothing: they stand in any order."""
-    return f"OPTION_{place + 1}"
-
-
-def label_in_front(shown: Phrase) -> str:
-    """The label in front of an option, (a)."""
-    return next((word for word in shown if isinstance(word, str)), "")
+def option_name(part: PlatformPart, place: int) -> str:
+    """The name of an option, which a page may show to who looks for it: it tells no more than the order."""
+    return f"OPTION_{part.order.index(place) + 1}"

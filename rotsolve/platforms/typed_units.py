@@ -27,14 +27,14 @@ def typed_units(unit: Unit, dimension: Dimension, *, turns: bool = False) -> tup
     """The names of units that measure the same, and how many of each the unit of the answer is; that comes first, with 1."""
     if not unit.text:
         return ()
-    found: dict[str, float] = {}
+    found: dict[str, tuple[str, float]] = {}  # a database that does not tell mN from MN takes one of them
     for other in units_of_same_kind(unit):
         meant = measured_unit(other, unit, dimension, turns)
         many = certified_number(unit.factor / meant.factor, {}) if isinstance(meant, Unit) else None
         if many is not None:
             for spelling in spellings_of_unit(other.text):
-                found.setdefault(spelling, float(f"{many.float:.12g}"))
-    return tuple(found.items())
+                found.setdefault(spelling.casefold(), (spelling, float(f"{many.float:.12g}")))
+    return tuple(found.values())
 
 
 def units_of_same_kind(unit: Unit) -> Iterator[Unit]:

@@ -26,8 +26,8 @@ from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import rotation, so_far
+from rotsolve.paths.displacements import way
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, path_text, vector_size
-from rotsolve.paths.points import way
 
 FIGURES = 30  # to which a zero is known before it is told from the end of a phase
 

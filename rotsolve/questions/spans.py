@@ -309,7 +309,7 @@ def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Form
         return ZERO  # an event moves nothing
     if path.quantity != "displacement":
         return angle_turned(path.owner, interval, scene.instant(interval.start))
-    from rotsolve.paths.points import displacement_over
+    from rotsolve.paths.displacements import displacement_over
 
     return displacement_over(path, interval, scene.instant(interval.start), scene.instant(interval.end))
 

@@ -79,11 +79,15 @@ def settings_in_text(scope: Scope, node: Node | None, settings: Mapping[str, obj
 
 def number_in_text(value: object) -> str | None:
     """A number of Python, NumPy, `fractions` or `decimal` as a scene writes it; None for what is none."""
-    if isinstance(value, (bool, complex)) or not isinstance(value, (Real, Decimal)) or not isfinite(value):
+    if isinstance(value, (bool, complex)) or not isinstance(value, (Real, Decimal)):
         return None
-    if isinstance(value, (Fraction, Decimal)):
+    if isinstance(value, Integral):
+        return str(int(value))
+    if isinstance(value, Fraction):
         return str(value)
-    return str(int(value)) if isinstance(value, Integral) else repr(float(value))
+    if not isfinite(value):
+        return None
+    return str(value) if isinstance(value, Decimal) else repr(float(value))
 
 
 def unit_of_setting(scope: Scope, name: str, number: str, declared: Node | None) -> str | None:

@@ -19,7 +19,6 @@ from rotsolve.language.keys import keys_of
 from rotsolve.language.kinds import Kinds
 from rotsolve.language.words import an, hint, nearest_name, quoted
 from rotsolve.scene.scope import Scope
-from rotsolve.scene.traps import null_fault, without_colon
 from rotsolve.scene.tree import List, Map, Node, Text
 
 Entry = tuple[Text, Node]
@@ -89,6 +88,8 @@ def values_given(node: Map, scope: Scope) -> Map:
         if not is_empty(value):
             entries.append((key, value))
         elif isinstance(before, Text) and re.fullmatch(WHOLE, before.value.strip()) and re.fullmatch(REST, key.value):
+            from rotsolve.scene.traps import null_fault
+
             whole = f"{before.value.strip()}.{key.value}"
             fault, start = null_fault(key.value, key.span, before.value), before.span
             if start.line == key.span.line:
@@ -96,6 +97,8 @@ def values_given(node: Map, scope: Scope) -> Map:
             scope.faults.append(fault)
             entries[-1] = (entries[-1][0], Text(whole, before.span, True, False))
         elif (said := re.fullmatch(ASSIGNED, key.value)) and key.value != AT_REST:
+            from rotsolve.scene.traps import null_fault
+
             scope.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
             value = key.cut(*said.span("value"))
             quotes = value.value[:1] in ("'", '"') and value.value[-1:] == value.value[:1] and len(value.value) > 1
@@ -201,6 +204,8 @@ def mended_section(key: Text, node: Node, scope: Scope) -> Node:
         else None
     )
     if isinstance(node, Text) and said is not None:
+        from rotsolve.scene.traps import without_colon
+
         scope.faults.append(without_colon(node.value, node.span))
         return Map(((node.cut(*said.span("name")), node.cut(*said.span("value"))),), node.span)
     if not isinstance(node, Map) or not any(is_empty(value) for _, value in node.entries):

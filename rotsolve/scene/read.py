@@ -15,7 +15,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import note
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units.dimension import ACCELERATION
+from rotsolve.algebra.units.dimension import ACCELERATION, describe
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.language.grammar import APPROXIMATIONS, SECTIONS
@@ -397,7 +397,24 @@ class Sections:
             if given.dimension is None:
                 scope.dimensions["g"] = ACCELERATION
             return scope.made.get("g", Symbol("g"))
+        if given is not None:
+            self.no_gravity(given)
+            return None
         return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
+
+    def no_gravity(self, given: Given) -> None:
+        """A given `g` that is no acceleration: who means gravity by it would have another one without noticing."""
+        assert given.dimension is not None
+        if "g" in self.scope.blamed:
+            return
+        shown = quoted(given.text) if given.text else "what is given"
+        meant = f"{given.text} m/s^2" if given.value is not None and given.unit is None else STANDARD_GRAVITY
+        self.scope.fault(
+            self.scope.places.get("g"),
+            f"`g` is gravity, an acceleration, but {shown} is {describe(given.dimension, article=True)}",
+            f"write `g: {meant}`; for something else take another letter, or add `gravity: {STANDARD_GRAVITY}`",
+            "dimension",
+        )
 
     def assume(self) -> tuple[str, ...]:
         """The approximations that the scene asks for."""

@@ -7,9 +7,9 @@ from typing import Any
 
 from rotsolve.core.faults import Fault, Related, Span
 from rotsolve.language.words import quoted
+from rotsolve.scene.tree import DEPTH
 
 QUOTE, UNQUOTE = "put the text in quotes", "close it, or leave both out"
-DEPTH = 40
 TOO_DEEP = f"more than {DEPTH} levels inside one another", "a scene needs no more than ten"
 
 

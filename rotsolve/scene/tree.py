@@ -14,10 +14,9 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.language.words import quoted
-from rotsolve.scene import traps
 
 BYTES = 1_000_000
-NODES = 100_000
+DEPTH, NODES = 40, 100_000
 LOADER: Any = yaml.CSafeLoader if hasattr(yaml, "CSafeLoader") else yaml.SafeLoader
 
 
@@ -85,10 +84,12 @@ def compose(source: str, file: str) -> tuple[Node, tuple[str, ...]]:
         return TreeBuilder(source, lines).document(), lines
     except SceneError as error:
         raise SceneError(error.faults, lines, file) from None
-    except yaml.MarkedYAMLError as error:
-        raise SceneError([traps.yaml_fault(error, lines)], lines, file) from None
     except (yaml.YAMLError, ValueError, RecursionError) as error:
-        raise SceneError([traps.no_yaml(quoted(str(error)))], lines, file) from None
+        from rotsolve.scene import traps
+
+        marked = isinstance(error, yaml.MarkedYAMLError)
+        fault = traps.yaml_fault(error, lines) if marked else traps.no_yaml(quoted(str(error)))
+        raise SceneError([fault], lines, file) from None
 
 
 class TreeBuilder:
@@ -127,6 +128,8 @@ class TreeBuilder:
             if not isinstance(key, Text):
                 stop("a name must be a single word", key.span, "write `name: value`", "yaml")
             elif key.plain and key.value == "<<":
+                from rotsolve.scene import traps
+
                 raise SceneError([traps.merge(key.span)])
             else:
                 entries.append((key, self.node(next(self.events), depth + 1)))
@@ -135,6 +138,12 @@ class TreeBuilder:
     def check(self, event: Any, depth: int) -> None:
         """Refuse what no scene needs: aliases, anchors, tags, and too much of anything."""
         self.count += 1
+        if isinstance(event, yaml.AliasEvent) or event.anchor or event.tag or depth > DEPTH or self.count > NODES:
+            self.refuse(event, depth)
+
+    def refuse(self, event: Any, depth: int) -> None:
+        from rotsolve.scene import traps
+
         start = Span(event.start_mark.line + 1, event.start_mark.column + 1)
         if isinstance(event, yaml.AliasEvent):
             raise SceneError([traps.alias(event.anchor, self.span(event))])
@@ -142,7 +151,7 @@ class TreeBuilder:
             raise SceneError([traps.anchor(event.anchor, replace(start, length=len(event.anchor) + 1))])
         if event.tag:
             raise SceneError([traps.tag(event.tag, start)])
-        if depth > traps.DEPTH:
+        if depth > DEPTH:
             message, help = traps.TOO_DEEP
             stop(message, self.span(event), help, "limit")
         if self.count > NODES:

@@ -16,7 +16,6 @@ from rotsolve.core.symbols import has_quantities
 from rotsolve.language.block import asked_parts, names_of_parts, speaks_of_all
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.answers import NoAnswer
-from rotsolve.search.explain import contradicted, unreachable
 from rotsolve.search.search import Search, is_unreal
 
 if TYPE_CHECKING:
@@ -55,9 +54,8 @@ def in_equilibrium(interval: Interval, search: Search) -> Iterator[Unsolvable]:
             if first is None or last is None or search.numbers.side(last - first) in (0, None):
                 continue
             if stays(body.name, dynamics[interval.start], search.numbers.side):
-                span = configuration.timeline.state(interval.end).span
                 why = f"`{body.name}` is at rest there in equilibrium, and stays so"
-                yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+                yield never_there(interval.start, interval.end, why, search)
 
 
 def off_its_way(interval: Interval, search: Search) -> Iterator[Unsolvable]:
@@ -95,6 +93,8 @@ def without_rates(
                 yield error
             except NoAnswer as error:
                 if error.equation is not None:
+                    from rotsolve.search.explain import contradicted
+
                     yield contradicted(aside.planner.pool[error.equation], search.scene)
             except Unsolvable:  # several steady motions are possible, of which none is meant
                 continue
@@ -102,10 +102,17 @@ def without_rates(
 
 def never_comes(state: str, search: Search) -> Unsolvable:
     """That a motion does not come to a state, since a rate would be the root of less than nothing there."""
-    configuration = search.scene.configuration
-    before, span = configuration.timeline.before(state), configuration.timeline.state(state).span
+    before = search.scene.configuration.timeline.before(state)
     why = "a rate there would be the root of a negative number"
-    return unreachable(configuration.problem, before.start if before else state, state, span, why)
+    return never_there(before.start if before else state, state, why, search)
+
+
+def never_there(start: str, end: str, why: str, search: Search) -> Unsolvable:
+    """That a motion does not get from a state to another."""
+    from rotsolve.search.explain import unreachable
+
+    configuration = search.scene.configuration
+    return unreachable(configuration.problem, start, end, configuration.timeline.state(end).span, why)
 
 
 def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:
@@ -122,14 +129,14 @@ def below_summit(interval: Interval, search: Search) -> Iterator[Unsolvable]:
         ends = found.start, found.end
         backwards = numbers.side(ends[1] - ends[0]) == -1
         counts = [numbers.whole(-end if backwards else end) for end in ends]
-        left, span = search.apart().settled(found.left), configuration.timeline.state(interval.end).span
+        left = search.apart().settled(found.left)
         if left is None:
             continue
         rate = search.apart().settled(found.rate)
         away = rate is not None and numbers.signs.of_sizes(rate) == (1 if backwards else -1)
         if away and numbers.side(left) in (0, 1):
             why = f"`{body.name}` turns the other way, and has the energy to pass its highest place ever again"
-            yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+            yield never_there(interval.start, interval.end, why, search)
         elif None not in counts and counts[0] != counts[1] and numbers.side(left) == -1:
             why = f"`{body.name}` would have to pass its highest place on the way, and turns back before"
-            yield unreachable(configuration.problem, interval.start, interval.end, span, why)
+            yield never_there(interval.start, interval.end, why, search)

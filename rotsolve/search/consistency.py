@@ -6,6 +6,7 @@ A scene that says too much (a state that is never reached, a block that sticks y
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -18,11 +19,13 @@ from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Power, Quotient, Sum, Symbol, call
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.equation import CONDITION, FOUND, SEPARATED_BY_PLACE, STEADY_TRAVEL, STEADY_TURN, Equation, Law
-from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import CONSTANT, POSITION, RATE, TIME, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 from rotsolve.search.within import seeks
+
+if TYPE_CHECKING:
+    from rotsolve.core.passage import Passage, Travel
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 DIGITS = 60  # of what has no closed form
@@ -253,6 +256,8 @@ def disagreement(search: Search) -> Equation | None:
 
 def first_broken(search: Search, numbers: KnownBalls) -> Equation | None:
     """The first equation that can not hold; what an equation tells of its one unknown serves the next ones."""
+    if search.ground is not None:
+        search.ground.tried.update(range(len(search.equations)))
     pending = [equation for equation in search.equations if not runs(equation, search)]
     pending += integrated_equations(search)
     pending.sort(key=lambda equation: bool(equation.family))  # a rule that is broken says more than a law

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from math import floor
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import decided_by_size, ends
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import is_quantity
+
+if TYPE_CHECKING:
+    from rotsolve.core.passage import Travel
 
 FIGURES = (15, 60, 240)  # significant figures at which a number is looked at, one after the other, until it tells
 

@@ -18,7 +18,6 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, VANISHING, Equation
 from rotsolve.core.letters import letter_order
-from rotsolve.core.passage import Passage
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import COMPONENT, POSITION, RATE, RATES, has_quantities, is_key, key_of, of_kinds
 from rotsolve.equations.scene_equations import SceneEquations
@@ -46,6 +45,7 @@ from rotsolve.solver.steps import (
 )
 
 if TYPE_CHECKING:
+    from rotsolve.core.passage import Passage
     from rotsolve.equations.normal_modes import Spectrum
     from rotsolve.questions.functions_of_time import Beside
 
@@ -66,11 +66,10 @@ class Ground:
     """What all searches of a scene share: its equations as the planner sees them, its givens and their signs, the letters that run."""
 
     def __init__(self, scene: SceneEquations, families: Collection[str]) -> None:
-        configuration = scene.configuration
-        problem = configuration.problem
+        configuration, problem = scene.configuration, scene.configuration.problem
         self.scene = scene
         self.chose = False  # whether some equation had several roots
-        self.working_out: set[str] = set()  # the letters that are being told aside
+        self.tried, self.working_out = set[int](), set[str]()  # equations looked into, letters being told aside
         self.passed_over: dict[str, list[Formula]] = {}  # roots for letters with which the scene does not come about
         self.picked: dict[str, Formula] = {}  # those that are meant, where others are known
         self.givens = {given.name: given for given in problem.givens}
@@ -148,6 +147,7 @@ class Search(Struct, dict=True):
             signs=self.signs,
             choose=self.choose_root,
             refs=self.refs,
+            tried=ground.tried,
             running=self.running,
             lone=len(self.scene.configuration.problem.finds) == 1,
         )

@@ -25,7 +25,6 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import Answered, NoAnswer
 from rotsolve.search.extrema import add_step, remember_answer
-from rotsolve.search.friction import TRIALS, Trials
 from rotsolve.search.gripping import limiting
 from rotsolve.search.roots import RootChoice
 from rotsolve.search.search import TURN, Search, whole_turns
@@ -143,6 +142,8 @@ def verges_of(contact: str, state: str, question: Asked, search: Search) -> list
         return where_others_hold(verges, contact, state, question, ground)
     if verges:
         return verges
+    from rotsolve.search.friction import TRIALS
+
     own = limiting(ground.scene, contact, state)
     others = [limiting(ground.scene, rub.owner, state) for rub in rubs(ground.scene.configuration) if rub.contact]
     return [
@@ -175,7 +176,11 @@ def wheels_turned(contact: str, state: str, way: int, scene: SceneEquations) -> 
     told = dict(scene.configuration.timeline.state(start).senses)
     balanced = scene.instant(start).in_balance
     wheels = [rub for rub in wheels if balanced or rub.name in told or rub.key not in scene.modes]
-    senses = Trials(scene.configuration).tied([own, *wheels]).senses(way) if wheels else {}
+    if not wheels:
+        return {}
+    from rotsolve.search.friction import Trials
+
+    senses = Trials(scene.configuration).tied([own, *wheels]).senses(way)
     return {rub: senses[rub.key] for rub in wheels}
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
+from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 from msgspec import Struct
@@ -26,7 +27,6 @@ from rotsolve.core.letters import letters_of
 from rotsolve.core.symbols import has_quantities, is_key, key_of
 from rotsolve.core.ways import PLACE, WayEnd, WayOnJoint
 from rotsolve.motion.timeline import Interval
-from rotsolve.search.endings import Endings, never_reached
 from rotsolve.search.search import Search
 
 if TYPE_CHECKING:
@@ -56,6 +56,8 @@ def barred_way(way: WayOnJoint, interval: Interval, search: Search) -> Iterator[
     looked = way_looked_at(way, search)
     why = "" if looked is None else looked.objection()
     if why and not (why == CREEPS and is_limit_sought(way, interval, search)):
+        from rotsolve.search.endings import never_reached
+
         yield never_reached(interval, configuration, why.format(way.body), sure=True)
 
 
@@ -119,6 +121,8 @@ def with_rate(way: WayOnJoint, found: dict[str, Formula]) -> WayOnJoint:
 
 def way_looked_at(way: WayOnJoint, search: Search) -> LookedAt | None:
     """A way of which all is known but its place, if it leads elsewhere, or back."""
+    from rotsolve.search.endings import Endings
+
     settled = Endings(search).settled
     known = [settled(value) for value in (way.start, way.end, way.rate, way.gap, way.effort)]
     start, end, rate, gap, effort = known
@@ -140,7 +144,7 @@ def open_(value: Formula | None) -> bool:
     return value is None or has_quantities(value)
 
 
-class LookedAt(Struct, frozen=True):
+class LookedAt(Struct, frozen=True, dict=True):
     """A way that leads `ahead`, looked at by numbers, else in letters."""
 
     way: WayOnJoint
@@ -251,8 +255,9 @@ class LookedAt(Struct, frozen=True):
         if not self.numeric:
             return None if value.holds(Integral) else self.search.numbers.side(simplify(value))
         number = self.search.numbers.of(value)
-        return None if number is None else 0 if abs(number) <= SHARE * self.size() else 1 if number > 0 else -1
+        return None if number is None else 0 if abs(number) <= SHARE * self.size else 1 if number > 0 else -1
 
+    @cached_property
     def size(self) -> float:
         """How large energies are on the way, by numbers."""
         ends = (

@@ -29,18 +29,21 @@ BESIDE = 2  # moments before and after a step, two a step, whose differences cou
 FLOAT_BITS = 53
 SAFETY = 6.0  # what the difference of the two runs is multiplied by: roundings may happen to go the same way in both
 ROUNDED = 2e-14  # tolerance of a step below which roundings of floats matter as much
+ALONE = 2e-13  # from which on one finer run tells the error: what it rounds on purpose may be all that the steps leave out below it
 COARSER, FINER = (3.0, 1.7), 1000.0  # how much larger or smaller the tolerances of the other runs are
+FINER_BITS = 32  # that a finer run of balls has more: what nearly cancels is all rounding, in which two alike may agree
 ROUNDED_TIMES = 2  # floats by which the other runs take what happens later than it does
 States = tuple[list[Scalar], ...]  # of all runs
 Times = tuple[float, ...]
 
 
 class RunOptions(Struct, frozen=True):
-    """How one run goes: the tolerance of its steps, its numbers, and whether it rounds coarsely on purpose."""
+    """How one run goes: the tolerance of its steps, its numbers, whether it rounds coarsely on purpose, and its bits."""
 
     tolerance: float
     numbers: Arithmetic
     coarse: bool = False
+    bits: int = FLOAT_BITS
 
 
 class Tolerances(Struct, frozen=True):
@@ -57,14 +60,15 @@ class Tolerances(Struct, frozen=True):
     @property
     def ways(self) -> tuple[RunOptions, ...]:
         """The main run, and those with which it is compared: two where roundings count, since one may happen to come out the same."""
-        if self.rounded:
-            others = zip(COARSER, (COARSE_FLOATS, MIXED_FLOATS), strict=True)
-            return RunOptions(self.main, FLOATS), *(
-                RunOptions(times * self.main, numbers, True) for times, numbers in others
-            )
-        if self.bits == FLOAT_BITS:
-            return RunOptions(self.main, FLOATS), RunOptions(self.main / FINER, COARSE_FLOATS, True)
-        return RunOptions(self.main, BALLS), RunOptions(self.main / FINER, BALLS)
+        if self.bits != FLOAT_BITS:
+            finer = RunOptions(self.main / FINER, BALLS, bits=self.bits + FINER_BITS)
+            return RunOptions(self.main, BALLS, bits=self.bits), finer
+        times = COARSER if self.rounded else (1 / FINER, 1 / FINER)
+        others = [
+            RunOptions(one * self.main, numbers, True)
+            for one, numbers in zip(times, (COARSE_FLOATS, MIXED_FLOATS), strict=True)
+        ]
+        return RunOptions(self.main, FLOATS), *(others if self.main < ALONE else others[:1])
 
 
 class Regime(Struct):
@@ -164,8 +168,11 @@ class Unsettled(ValueError):
 
 def start_of(system: System, tolerances: Tolerances) -> States:
     """The first state of all runs."""
-    with Precision(tolerances.bits):
-        return tuple([way.numbers.number(item.start) for item in system.variables] for way in tolerances.ways)
+    states = []
+    for way in tolerances.ways:
+        with Precision(way.bits):
+            states.append([way.numbers.number(item.start) for item in system.variables])
+    return tuple(states)
 
 
 def follow_regime(
@@ -181,8 +188,8 @@ def follow_regime(
     """Follow a system from a time on by all runs until something happens."""
     runs, ends, last, hits, told = [], [], [], [], []
     places = [watch.place for watch in watched]
-    with Precision(tolerances.bits):
-        for number, (way, time, state, signs) in enumerate(zip(tolerances.ways, times, states, sides, strict=True)):
+    for number, (way, time, state, signs) in enumerate(zip(tolerances.ways, times, states, sides, strict=True)):
+        with Precision(way.bits):
             stepper = Stepper(system, way.numbers, way.tolerance, order_for(way.tolerance), places)
             walker = Walker(stepper, time, state, way.coarse)
             lookout = Lookout(watched, signs)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.core.faults import Unsolvable
+from rotsolve.language.words import did_you_mean, nearest_name
 from rotsolve.simulation.report import columns_of, quantity_word
 from rotsolve.simulation.run import Run
 
@@ -47,5 +48,8 @@ def meant_by(word: str, told: Sequence[str], run: Run) -> Iterator[str]:
 
 def untold(word: str, told: Sequence[str], run: Run) -> Unsolvable:
     names = ", ".join(told[:NAMED]) + (", …" if len(told) > NAMED else "")
-    help = f"it tells {names}; `{FORCES}` are all forces, `{MOTION}` is what is shown otherwise"
+    meant = did_you_mean(nearest_name(word, told))
+    help = (
+        f"{meant}{' ' * bool(meant)}it tells {names}; `{FORCES}` are all forces, `{MOTION}` is what is shown otherwise"
+    )
     return Unsolvable(f"the motion tells no `{word}`", help=help, lines=run.problem.lines, file=run.problem.file)

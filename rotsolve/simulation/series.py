@@ -128,15 +128,16 @@ def sum_series(operation: Operation, place: int, lists: Lists, arithmetic: Arith
             total = total + factor * source[0]
         own.append(total)
 
+    append = own.append
     if len(pairs) == 1:
         ((factor, source),) = pairs
-        return start, lambda order: own.append(factor * source[order])
+        return start, lambda order: append(factor * source[order])
     if len(pairs) == 2:
         (one, left), (two, right) = pairs
-        return start, lambda order: own.append(one * left[order] + two * right[order])
+        return start, lambda order: append(one * left[order] + two * right[order])
 
     def step(order: int) -> None:
-        own.append(sum([factor * source[order] for factor, source in pairs]))
+        append(sum([factor * source[order] for factor, source in pairs]))
 
     return start, step
 
@@ -147,13 +148,14 @@ def product_series(operation: Operation, place: int, lists: Lists, arithmetic: A
     def start() -> None:
         own.append(left[0] * right[0])
 
+    append = own.append
     if left is not right:
-        return start, lambda order: own.append(sum(map(mul, left, right[order::-1])))
+        return start, lambda order: append(sum(map(mul, left, reversed(right))))
 
     def square(order: int) -> None:
         half = (order + 1) // 2
-        total = 2 * sum(map(mul, left[:half], left[order : order - half : -1]))
-        own.append(total if order % 2 else total + left[half] * left[half])
+        total = 2 * sum(map(mul, left[:half], reversed(left)))
+        append(total if order % 2 else total + left[half] * left[half])
 
     return start, square
 
@@ -164,7 +166,7 @@ def quotient_series(operation: Operation, place: int, lists: Lists, arithmetic: 
 
     def step(order: int) -> None:
         top = above[order] if order < len(above) else 0  # nothing of a constant
-        own.append((top - sum(map(mul, own, below[order:0:-1]))) / below[0])
+        own.append((top - sum(map(mul, own, reversed(below)))) / below[0])
 
     return (lambda: own.append(above[0] / below[0])), step
 
@@ -184,6 +186,7 @@ def sine_series(operation: Operation, place: int, lists: Lists, arithmetic: Arit
     """s = sin x and c = cos x, the next place, together: k sₖ = Σ j xⱼ cₖ₋ⱼ, k cₖ = −Σ j xⱼ sₖ₋ⱼ."""
     argument, sine, cosine = lists[operation.values[0]], lists[place], lists[place + 1]
     slopes: Series = []  # j xⱼ from j = 1
+    steeper, rise, fall = slopes.append, sine.append, cosine.append
 
     def start() -> None:
         slopes.clear()
@@ -191,10 +194,10 @@ def sine_series(operation: Operation, place: int, lists: Lists, arithmetic: Arit
         cosine.append(arithmetic.functions["cos"](argument[0]))
 
     def step(order: int) -> None:
-        slopes.append(order * argument[order])
-        rising, falling = sum(map(mul, slopes, cosine[::-1])), sum(map(mul, slopes, sine[::-1]))
-        sine.append(rising / order)
-        cosine.append(-falling / order)
+        steeper(order * argument[order])
+        rising, falling = sum(map(mul, slopes, reversed(cosine))), sum(map(mul, slopes, reversed(sine)))
+        rise(rising / order)
+        fall(-falling / order)
 
     return start, step
 
@@ -278,27 +281,29 @@ def solver_of(tape: SeriesTape, name: str, lists: Lists) -> Made:
         for row in block.rows
     ]
     lines = list(zip(right, moving, changing, strict=True))
-    held: list[Callable[[list[Scalar]], list[Scalar]]] = []
+    ends = [own.append for own in owns]
+    solve: Callable[[list[Scalar]], Sequence[Scalar]] = list
 
     def start() -> None:
-        held[:] = [factored([[series[0] for series in row] for row in rows])]
-        for own, value in zip(owns, held[0]([series[0] for series in right]), strict=True):
-            own.append(value)
+        nonlocal solve
+        solve = factored([[series[0] for series in row] for row in rows])
+        for append, value in zip(ends, solve([series[0] for series in right]), strict=True):
+            append(value)
 
     def step(order: int) -> None:
         rest = []
         for series, moves, pairs in lines:
             total = series[order] if moves else 0
             for own, coefficient in pairs:
-                total = total - sum(map(mul, own, coefficient[order:0:-1]))
+                total -= sum(map(mul, own, reversed(coefficient)))
             rest.append(total)
-        for own, value in zip(owns, held[0](rest), strict=True):
-            own.append(value)
+        for append, value in zip(ends, solve(rest)):  # noqa: B905
+            append(value)
 
     return start, step
 
 
-def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], list[Scalar]]:
+def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], Sequence[Scalar]]:
     """What solves A x = b for this A: by elimination with the largest pivot of each column."""
     size = len(table)
     order = list(range(size))
@@ -328,13 +333,13 @@ def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], list[Scalar]
     return solve
 
 
-def solver_of_two(table: list[list[Scalar]], turned: bool) -> Callable[[list[Scalar]], list[Scalar]]:
+def solver_of_two(table: list[list[Scalar]], turned: bool) -> Callable[[list[Scalar]], Sequence[Scalar]]:
     """The same for two unknowns, the commonest case, written out; `turned` where the rows have been exchanged."""
     (a, b), (factor, d) = table
 
-    def solve(right: list[Scalar]) -> list[Scalar]:
+    def solve(right: list[Scalar]) -> Sequence[Scalar]:
         first, second = (right[1], right[0]) if turned else right
         y = (second - factor * first) / d
-        return [(first - b * y) / a, y]
+        return (first - b * y) / a, y
 
     return solve

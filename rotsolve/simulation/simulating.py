@@ -16,7 +16,7 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
 from rotsolve.scene.read import Source, read_source
 from rotsolve.scene.values import read_seconds
-from rotsolve.simulation.bounded import FLOAT_BITS, Regime, Tolerances, Unsettled
+from rotsolve.simulation.bounded import ALONE, FLOAT_BITS, Regime, Tolerances, Unsettled
 from rotsolve.simulation.enclosing import enclosed
 from rotsolve.simulation.following import Follower
 from rotsolve.simulation.run import Run
@@ -25,6 +25,7 @@ from rotsolve.simulation.taylor import Unbounded
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 OF_FLOATS = 1e-14  # accuracy that floats can give: their roundings alone come to a fifth of it
 AIM = 5e-8  # tolerance of a step, of the accuracy asked for: ten times finer is a tenth dearer, one more try costs all again
+LOOSER = 5  # times it may be if that spares the third run, which is half as dear again
 LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
 FIRST_BITS = 128  # beyond those of the accuracy, with which a proof is tried first
 IDLE = 3  # finer tries that did not help, after which the bounds stay as they are: times of events are floats
@@ -47,7 +48,11 @@ def simulate(
     Raises SceneError for a scene that can't be read, Unsolvable for what can't be simulated, ValueError for a time or accuracy that
     is none.
     """
-    seconds = float(until) if isinstance(until, (int, float)) else read_seconds(until)
+    if not isinstance(until, (str, int, float)) or not isinstance(accuracy, (int, float)):
+        raise TypeError(
+            f"a motion is followed until a time such as '2 s', to an accuracy such as 1e-8, not {until!r} and {accuracy!r}"
+        )
+    seconds = read_seconds(until) if isinstance(until, str) else float(until)
     if not 0 < seconds < math.inf:
         raise ValueError("the time to simulate must be above zero")
     if not MOST_ACCURACY <= accuracy <= LEAST_ACCURACY:
@@ -101,9 +106,7 @@ def follow(pursuit: Pursuit, until: float, accuracy: float, tell: Callable[[floa
 
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
     """
-    tolerances, best, going_on = Tolerances(max(FINEST, AIM * accuracy)), None, patient(tell)
-    if accuracy < OF_FLOATS:
-        tolerances = in_balls(AIM * accuracy)
+    tolerances, best, going_on = first_tolerances(accuracy), None, patient(tell)
     excess, idle = math.inf, 0
     while True:
         try:
@@ -128,6 +131,14 @@ def follow(pursuit: Pursuit, until: float, accuracy: float, tell: Callable[[floa
                 pursuit.configuration.problem, until, accuracy, found.regimes, events, ended, sought=found.sought
             )
         tolerances, best = finer(tolerances, excess), found
+
+
+def first_tolerances(accuracy: float) -> Tolerances:
+    """With what an accuracy is tried first."""
+    aim = AIM * accuracy
+    if accuracy < OF_FLOATS:
+        return in_balls(aim)
+    return Tolerances(ALONE if aim < ALONE <= LOOSER * aim else max(FINEST, aim))
 
 
 def proved(pursuit: Pursuit, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:

@@ -24,6 +24,8 @@ from rotsolve.solution.frames import pandas
 def frame_of_run(run: Run, times: Any, names: Sequence[str], bounds: bool) -> Any:
     """A row for each time, a column for each quantity, with its bound beside it where `bounds` says so."""
     frame = pandas().DataFrame
+    if isinstance(times, int) and times < 1:
+        raise ValueError(f"a table has a row at least, not {times}")
     moments = [run.end * k / max(1, times - 1) for k in range(times)] if isinstance(times, int) else times
     found = run.at(moments, tuple(names))
     columns = {}

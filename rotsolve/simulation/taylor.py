@@ -81,12 +81,13 @@ class Stepper:
         self.own: list[list[Scalar]] = [lists.get(place, []) for place in self.letters]
         self.apart = [own for place, own in zip(self.letters, self.own, strict=True) if place not in lists]
         pairs = [(own, item.rate) for own, item in zip(self.own, system.variables, strict=True)]
-        self.changing = [(own, lists[rate]) for own, rate in pairs if system.tape.constant(rate) is None]
-        self.steady = [(own, lists[rate]) for own, rate in pairs if system.tape.constant(rate) is not None]
+        self.changing = [(own.append, lists[rate]) for own, rate in pairs if system.tape.constant(rate) is None]
         self.watched = [lists[place] for place in watched]
         self.time = system.letters[TIME]
-        self.clock = lists.get(self.time)
         self.one, self.zero = arithmetic.number(ONE), arithmetic.number(ZERO)
+        # what changes at a steady rate, with that: what no law changes, and time
+        self.even = [(own.append, lists[rate]) for own, rate in pairs if system.tape.constant(rate) is not None]
+        self.even += [(lists[self.time].append, [self.one])] if self.time in lists else []
 
     def expand(self, time: float, state: Sequence[Scalar]) -> TaylorStep:
         """The polynomials of the state and of what is watched from a moment on, as yet without an end."""
@@ -96,17 +97,18 @@ class Stepper:
         for own, start in zip(self.own, state, strict=True):
             if not own:
                 own.append(start)
-        for own, rate in self.steady:
-            own += [rate[0], *[self.zero] * (self.order - 1)]
-        if self.clock is not None:
-            self.clock += [self.one, *[self.zero] * (self.order - 2)]
-        changing, extend = self.changing, self.expansion.extend
+        changing, even, steps = self.changing, self.even, self.expansion.steps
         for order in range(1, self.order):
-            for own, rate in changing:
-                own.append(rate[order - 1] / order)
-            extend(order)
-        for own, rate in changing:
-            own.append(rate[self.order - 1] / self.order)
+            for append, rate in changing:
+                append(rate[order - 1] / order)
+            for append, rate in even:
+                append(rate[0] if order == 1 else self.zero)
+            for step in steps:
+                step(order)
+        for append, rate in changing:
+            append(rate[self.order - 1] / self.order)
+        for append, _ in even:
+            append(self.zero)
         found = tuple(own[:] for own in self.own)
         return TaylorStep(time, math.inf, found, tuple(series[: self.order] for series in self.watched))
 
@@ -117,19 +119,19 @@ class Stepper:
         """
         longest = math.inf
         for polynomial in polynomials:
-            ends = [abs(float(coefficient)) for coefficient in polynomial[-WINDOW:]]
+            ends = [*map(abs, map(float, polynomial[-WINDOW:]))]
             if not any(ends):
                 continue
-            zeroth, first, second = (abs(float(coefficient)) for coefficient in polynomial[:3])
+            zeroth, first, second = map(abs, map(float, polynomial[:3]))
             size = max(zeroth, first * before, second * before * before)
             size = size or max(abs(float(c)) * before**k for k, c in enumerate(polynomial))
-            roots = self.roots[len(polynomial)]
-            longest = min([longest, *[(size / end) ** root for end, root in zip(ends, roots, strict=True) if end]])
+            lengths = map(pow, [size / end if end else math.inf for end in ends], self.roots[len(polynomial)])
+            longest = min(longest, *lengths)
         return float(longest * self.shortening)
 
 
 def finite(polynomials: Sequence[Sequence[Scalar]]) -> bool:
-    return all(math.isfinite(float(coefficient)) for polynomial in polynomials for coefficient in polynomial[:3])
+    return all(math.isfinite(sum(map(float, polynomial[:3]))) for polynomial in polynomials)
 
 
 class Trajectory(Struct):

@@ -22,7 +22,6 @@ from rotsolve.page.depth import DETAILS, FULL, NORMAL, NUMBERS, STEPS
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
 from rotsolve.page.languages import ENGLISH
-from rotsolve.solution.answer import AnswerView
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Problem
     from rotsolve.search.acting import ActingWays
+    from rotsolve.solution.answer import AnswerView
     from rotsolve.solution.picture import PictureView
     from rotsolve.solution.symbols import Symbols
 
@@ -107,6 +107,8 @@ class Solution(Struct, frozen=True, dict=True, eq=False):
     @cached_property
     def answers(self) -> Mapping[str, AnswerView]:
         """The answers by their names under `find`."""
+        from rotsolve.solution.answer import AnswerView
+
         letters = tuple(given.name for given in self.problem.givens)
         return MappingProxyType(
             {answer.name: AnswerView(answer, self.digits, letters) for answer in self.derivation.answers}

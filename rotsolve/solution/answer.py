@@ -51,10 +51,12 @@ class AnswerView(Struct, frozen=True, eq=False):
     def certified(self, digits: int) -> str | None:
         """The number to so many significant digits, correctly rounded, each of them certified; None without a number.
 
-        Fewer stand there where the number is exact, or where no more can be certified.
+        Fewer stand there where the number is exact, or where no more can be certified. TypeError and ValueError as for `solve`.
         """
+        from rotsolve.algebra.certified.ball import refuse_digits
         from rotsolve.page.values import certified_digits, machine_number
 
+        refuse_digits(digits)
         return machine_number(certified_digits(self.answer.value, digits)[0]) or None
 
     @property
@@ -74,6 +76,8 @@ class AnswerView(Struct, frozen=True, eq=False):
         from rotsolve.algebra.units.dimension import describe
         from rotsolve.algebra.units.quantities import parse_unit
 
+        if not isinstance(unit, str):
+            raise TypeError(f"a unit is a text, not {unit!r}")
         float(self)
         assert self.answer.value is not None
         own, told = self.answer.unit, parse_unit(unit) if unit else None

@@ -64,6 +64,7 @@ class Solver(Isolation, kw_only=True):
 
     pool: list[Equation]
     refs: dict[int, Ref] = field(default_factory=dict)
+    tried: set[int] = field(default_factory=set)  # the equations of all plans that were tried
     running: frozenset[str] = frozenset(("time",))  # letters that run during a phase
     lone: bool = False  # whether one thing alone is asked, so that nobody needs what is divided out on the way
     steps: list[Step] = field(default_factory=list)
@@ -73,6 +74,7 @@ class Solver(Isolation, kw_only=True):
     def solve(self, plan: Plan) -> Found:
         """Carry a plan out; the steps are kept only when it succeeds."""
         kept, derived, told = len(self.steps), len(self.derived), dict(self.told)
+        self.tried.update(plan.equations)
         try:
             found = self._in_letters_or_together(plan)
         except (Redundant, Contradiction, NoClosedForm, NumbersWanted, Undefined, ZeroDivisionError) as error:

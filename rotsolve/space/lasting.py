@@ -22,7 +22,6 @@ from rotsolve.space.attitude import IN_SPACE
 from rotsolve.space.inertia import CM
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
-from rotsolve.space.rolling import Rolling
 
 HELP = "leave `steady: true` out, or let it act along the axis about which that goes round"
 
@@ -149,6 +148,8 @@ def going_along(name: str, moment: SpaceMoment) -> Iterator[Equation]:
         or not moment.nods(name)
     ):
         return
+    from rotsolve.space.rolling import Rolling
+
     rolling = Rolling(joint, moment)
     if rolling.frame is None or rolling.frame.omega == NOTHING:
         return

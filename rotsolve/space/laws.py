@@ -44,7 +44,6 @@ from rotsolve.space.attitude import AXIAL, IN_SPACE, NODE, Attitude, Axes
 from rotsolve.space.inertia import CM, Tensors, in_axes, product
 from rotsolve.space.moment import SpaceMoment
 from rotsolve.space.pushes import ForceInSpace, Pushes
-from rotsolve.space.rolling import Rolling, shape_that_rolls, wheel_touching_rate
 from rotsolve.space.thin import unspun
 from rotsolve.space.two_balls import names_along
 
@@ -136,6 +135,8 @@ class SpaceLaws:
 
     def touching_rate(self, joint: Joint, held: Joint) -> Triple | None:
         """ṙ of the touching point of what is held besides, in the axes of its body; None where that is not known."""
+        from rotsolve.space.rolling import shape_that_rolls, wheel_touching_rate
+
         moment, name = self.moment, joint.body.owner
         own = moment.attitude(name)
         if held.free and self.fixed(name):
@@ -150,6 +151,8 @@ class SpaceLaws:
         """The velocity of the touching point of what rolls against the surface, as far as it is not told by how the body turns."""
         moment, name = self.moment, joint.body.owner
         if moment.held.rolling(name) is not None or joint.carrier.owner in moment.held.bodies:
+            from rotsolve.space.rolling import Rolling
+
             return Rolling(joint, moment).slip()
         turning = cross_product(moment.attitude(name).omega, self.pushes.place(joint))
         return vector_sum(moment.reference_velocity(name), turning)
@@ -247,6 +250,14 @@ class SpaceLaws:
                 raise
             self.untravelled[name] = error
 
+    def rolls_round(self, joint: Joint | None) -> bool:
+        """Whether what a joint holds rolls round a circle."""
+        if joint is None:
+            return False
+        from rotsolve.space.rolling import Rolling
+
+        return Rolling(joint, self.moment).goes_round() is not None
+
     def second_law(self, name: str, pushes: list[ForceInSpace]) -> Iterator[Equation]:
         """Σ F = m a, along the axes in which the force of the body's joint is written."""
         held, moment = self.moment.held, self.moment
@@ -257,7 +268,7 @@ class SpaceLaws:
             forces = vector_sum(forces, push.along(axes))
         wanted = [moment.tidy(part) for part in moment.acceleration_along(axes, PointRef(name, CM))]
         rolls = held.rolling(name)
-        round_ = rolls is not None and Rolling(rolls, moment).goes_round() is not None
+        round_ = self.rolls_round(rolls)
         ground: Words = () if rolls is None else (ROUND if round_ else BY_ROLLING,)  # said once
         for axis, left, right in zip(self.names_of(axes), forces, wanted, strict=True):
             if left != ZERO or right != ZERO:

@@ -14,7 +14,6 @@ from rotsolve.language.problem import Term
 from rotsolve.paths.meaning import NotYet, Unclear, label_of
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.reader import SpaceReader, plainly_named
 
 States = Mapping[str, SpaceLaws]  # what the laws speak of at each state
 
@@ -83,6 +82,8 @@ def tells_something(equation: Equation, moment: SpaceMoment) -> bool:
 
 def line_as_equation(number: int, laws: SpaceLaws, states: States) -> Iterator[Equation]:
     """A line of a state as an equation for what it is about, with the laws that tell that."""
+    from rotsolve.space.reader import SpaceReader, plainly_named
+
     moment, line = laws.moment, laws.moment.state.conditions[number]
     path, value = line.path, line.value
     assert path is not None and value is not None

@@ -37,7 +37,6 @@ from rotsolve.space.attitude import (
     HeldBar,
 )
 from rotsolve.space.frames import Relative, frame_of
-from rotsolve.space.rolling import Rolling
 from rotsolve.space.sliding import refuse_elsewhere, slid, slid_since, slid_to
 from rotsolve.space.turned import TurnedMoment
 
@@ -206,6 +205,8 @@ class SpaceMoment(TurnedMoment):
                 return triple([self.now(part) for part in parts])
         joint = self.held.rolling(name)
         if joint is not None:
+            from rotsolve.space.rolling import Rolling
+
             rolling = Rolling(joint, self)
             return rolling.velocity() if word == "velocity" else rolling.acceleration()
         told = self.vector_told(name, word)

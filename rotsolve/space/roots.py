@@ -15,9 +15,7 @@ from rotsolve.core.symbols import SymbolKey, is_key, is_quantity, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.language.problem import EXTREMES, Problem
 from rotsolve.solver.steps import PickedRoot
-from rotsolve.space.passing import left_alone
 from rotsolve.space.sliding import slid_to
-from rotsolve.space.swings import top_of
 
 if TYPE_CHECKING:
     from rotsolve.equations.scene_equations import SceneEquations
@@ -122,6 +120,8 @@ def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numb
     span = scene.configuration.timeline.state(state).span
     message, help = f"`{owner}` spins too slowly for a steady precession at `{state}`", ""
     if on_pivot(owner, laws):
+        from rotsolve.space.swings import top_of
+
         axial, across, lift = map(spelled, top_of(laws, owner))
         spin = laws.moment.told(owner, "spin") is not None
         felt = multiply(
@@ -141,6 +141,8 @@ def refuse_too_slow(owner: str, state: str, scene: SceneEquations, numbers: Numb
 
 def on_pivot(owner: str, laws: SpaceLaws) -> bool:
     """Whether a body is held at a fixed point, where nothing but its weight acts on it."""
+    from rotsolve.space.passing import left_alone
+
     joint = laws.moment.held.main(owner)
     return joint is not None and joint.free and laws.fixed(owner) and left_alone(laws, owner)
 
@@ -150,6 +152,8 @@ def refuse_level_unspun(owner: str, laws: SpaceLaws, problem: Problem) -> None:
     moment, held = laws.moment, laws.moment.held
     if not on_pivot(owner, laws) or held.axis(owner) is None:
         return
+    from rotsolve.space.swings import top_of
+
     axial, _, lift = map(laws.tensors.spelled, top_of(laws, owner))
     told = next((rate for word in ("spin", "axial_rate") if (rate := moment.told(owner, word)) is not None), None)
     if not (held.vanishes(axial) or (told is not None and held.vanishes(told))) or held.vanishes(lift):

@@ -47,17 +47,14 @@ from rotsolve.space.lasting import refuse_left
 from rotsolve.space.laws import SpaceLaws
 from rotsolve.space.lines import told_of_forces, told_unread
 from rotsolve.space.moment import SpaceMoment
-from rotsolve.space.passing import conserved, left_alone, turning_tilts
 from rotsolve.space.pushes import Pushes
-from rotsolve.space.reader import SpaceReader
-from rotsolve.space.stability import limit_of, steady_limit
-from rotsolve.space.struck import through
 from rotsolve.space.told_once import refuse_told_twice
 from rotsolve.space.understood import refuse_dropped_told
 from rotsolve.space.untold import ANGLE_HELP, law_whatever_the_angle, untold_in
 
 if TYPE_CHECKING:
     from rotsolve.equations.swing import Swing
+    from rotsolve.space.reader import SpaceReader
 
 SIZE_OF_CHANGE = "size of change of"
 CHANGES = ("change of", "lost")
@@ -155,6 +152,8 @@ class SpaceEquations(SceneEquations, dict=True):
         )
 
     def reader(self, state: str, *, generic: bool = False) -> SpaceReader:  # type: ignore[override]
+        from rotsolve.space.reader import SpaceReader
+
         return SpaceReader(self.dynamics[state], self.dynamics, self.configuration.problem)
 
     def facts(self, state: str, *, generic: bool = False, virtual: bool = False) -> Facts:
@@ -370,6 +369,8 @@ class SpaceEquations(SceneEquations, dict=True):
 
     def steady_limit(self, owner: str, state: str) -> Equation | None:
         """Where the steady precession of a body is just possible; None where it has none with two roots."""
+        from rotsolve.space.stability import steady_limit
+
         try:
             return self.put_in_order(steady_limit(self.dynamics[state], owner))
         except NotYet:
@@ -389,11 +390,15 @@ class SpaceEquations(SceneEquations, dict=True):
             raise NotYet(
                 f"of which body the motion at `{condition.owner}` is {condition.word} nothing tells", condition.span
             )
+        from rotsolve.space.stability import limit_of, steady_limit
+
         limit = steady_limit if condition.word == "steady" else limit_of
         return self.put_in_order(limit(dynamics, names[0]))
 
     def reader_in(self, phase: str) -> SpaceReader:
         """What paths mean at any time of a phase."""
+        from rotsolve.space.reader import SpaceReader
+
         return SpaceReader(self.running[phase], self.dynamics, self.configuration.problem)
 
     def between(self, term: Term) -> tuple[Meaning, str]:
@@ -530,7 +535,7 @@ class SpaceEquations(SceneEquations, dict=True):
             ends = self.dynamics[interval.start], self.dynamics[interval.end]
             if interval.event is None and ends[0].moment.state.steady:
                 refuse_left(ends[0].moment, ends[1].moment)
-            laws = through(interval, *ends) if interval.event is not None else kept_in(interval, *ends)
+            laws = struck_in(interval, *ends) if interval.event is not None else kept_in(interval, *ends)
             laws = chain(laws, self.in_turning_frames(interval), self.tilts_on_from(interval))
             yield from map(self.put_in_order, laws)
         for dynamics in self.dynamics.values():
@@ -547,6 +552,8 @@ class SpaceEquations(SceneEquations, dict=True):
             still = [name for name in nodding if laws.moment.nodding(name).rates[1] == ZERO]
             nodding = [name for name in nodding if name not in still]
             for name in still if between is not interval else ():
+                from rotsolve.space.passing import left_alone, turning_tilts
+
                 if left_alone(laws, name):
                     yield from turning_tilts(name, interval, laws, last)
             between = timeline.before(between.start)
@@ -562,8 +569,16 @@ class SpaceEquations(SceneEquations, dict=True):
         return energy_in_frame(self, interval)
 
 
+def struck_in(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
+    """What holds through an event."""
+    from rotsolve.space.struck import through
+
+    return through(interval, before, after)
+
+
 def kept_in(interval: Interval, before: SpaceLaws, after: SpaceLaws) -> Iterator[Equation]:
     """What bodies keep in a phase, each by itself and all together."""
+    from rotsolve.space.passing import conserved
     from rotsolve.space.together import kept_together
 
     yield from conserved(interval, before, after)

@@ -30,12 +30,12 @@ from rotsolve.paths.meaning import NotYet, path_text
 from rotsolve.space.attitude import IN_SPACE, Axes
 from rotsolve.space.inertia import CM, product
 from rotsolve.space.laws import SpaceLaws
-from rotsolve.space.struck import Shock, shocks_of_joint
 from rotsolve.space.supports import HELD
 from rotsolve.space.two_balls import letter_along
 
 if TYPE_CHECKING:
     from rotsolve.space.principal import ToldTensor
+    from rotsolve.space.struck import Shock
 
 Seen = tuple[Triple, Axes]  # a vector and the axes along which its components are
 
@@ -374,6 +374,8 @@ class VectorReader:
             raise NotYet(f"`{path_text(path)}` is that of a blow: ask for it at the state after one", path.span)
         if joint is None:
             raise NotYet(f"`{path_text(path)}` is not solved in space yet", path.span)
+        from rotsolve.space.struck import shocks_of_joint
+
         return joint, self.dynamics, list(shocks_of_joint(joint, self.dynamics))
 
     def forces_of(self, name: str, owner: str) -> Triple:

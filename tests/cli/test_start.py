@@ -81,6 +81,19 @@ def test_an_end_that_fails_is_left_to_python() -> None:
     assert ran.returncode == 0 and ran.stdout.startswith("Block hanging")
 
 
+LOOKED = """\
+import atexit, gc
+begun = sum(one["collections"] for one in gc.get_stats())
+atexit.register(lambda: print(sum(one["collections"] for one in gc.get_stats()) - begun))
+"""
+
+
+def test_python_does_not_look_for_cycles_while_modules_load() -> None:
+    ran = process("rotsolve.start", "solve", SCENE, main="process", before=LOOKED)
+    assert ran.returncode == 0
+    assert int(ran.stdout.splitlines()[-1]) <= 1, "but for once before the command begins"
+
+
 BAD = (
     "a: [1",
     "a: *x",
@@ -112,9 +125,12 @@ import sys
 from rotsolve.lean import CODE_FLAGS, PutOff, leave_out
 leave_out()
 put_off = {name for name, module in sys.modules.items() if isinstance(module, PutOff)}
-assert put_off >= {"inspect", "msgspec.json", "platform", "yaml"}
+assert put_off >= {"datetime", "inspect", "msgspec.json", "platform", "yaml"}
 assert not {"yaml.reader", "yaml.loader", "msgspec._json_schema"} & sys.modules.keys()
-import inspect, msgspec, platform, yaml
+import datetime, inspect, msgspec, platform, yaml
+assert msgspec.convert("2026-12-01", datetime.date) == datetime.date(2026, 12, 1)
+assert isinstance(sys.modules["datetime"], PutOff) and datetime.sys is sys
+assert sys.modules["datetime"].date is datetime.date
 events = list(yaml.parse("a: 1", Loader=yaml.CSafeLoader))
 assert [event.value for event in events if isinstance(event, yaml.ScalarEvent)] == ["a", "1"]
 assert str(inspect.signature(lambda a, b=1: a)) == "(a, b=1)"
@@ -122,7 +138,7 @@ assert CODE_FLAGS == {name: getattr(sys.modules["inspect"], name) for name in CO
 assert msgspec.json.encode([1]) == b"[1]" and msgspec.json.decode("[1]") == [1]
 assert platform.python_version() == ".".join(map(str, sys.version_info[:3]))
 assert yaml.safe_load("a: [1, 2]") == {"a": [1, 2]}
-asked = {"inspect", "msgspec.json", "platform", "yaml"}
+asked = {"datetime", "inspect", "msgspec.json", "platform", "yaml"}
 assert not [name for name in asked if isinstance(sys.modules[name], PutOff)]
 """
 
@@ -167,10 +183,12 @@ def test_a_module_of_ours_is_loaded_by_its_bytecode_as_long_as_that_is_as_new_as
 
 def test_only_modules_of_ours_are_looked_for_near_by() -> None:
     folder = [str(Path(rotsolve.__file__).parent)]
-    for name in ("rotsolve", "rotsolve.algebra", "rotsolve.nothing", "yaml.loader"):
+    for name in ("rotsolve", "rotsolve.nothing", "yaml.loader"):
         assert Near.find_spec(name, None if name == "rotsolve" else folder) is None
-    mine, plain = Near.find_spec("rotsolve.plan", folder), PathFinder.find_spec("rotsolve.plan", folder)
-    assert mine is not None and plain is not None
-    assert (mine.origin, mine.cached, mine.has_location) == (plain.origin, plain.cached, plain.has_location)
-    assert isinstance(plain.loader, SourceFileLoader) and isinstance(mine.loader, Near)
-    assert mine.loader.get_code("rotsolve.plan") == plain.loader.get_code("rotsolve.plan")
+    for name in ("rotsolve.plan", "rotsolve.algebra"):
+        mine, plain = Near.find_spec(name, folder), PathFinder.find_spec(name, folder)
+        assert mine is not None and plain is not None
+        assert (mine.origin, mine.cached, mine.has_location) == (plain.origin, plain.cached, plain.has_location)
+        assert mine.submodule_search_locations == plain.submodule_search_locations
+        assert isinstance(plain.loader, SourceFileLoader) and isinstance(mine.loader, Near)
+        assert mine.loader.get_code(name) == plain.loader.get_code(name)

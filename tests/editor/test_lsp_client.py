@@ -53,7 +53,7 @@ class Editor(LanguageClient):
 
 @asynccontextmanager
 async def session(
-    text: str, encodings: list[types.PositionEncodingKind] | None = None, *, stops: bool = False
+    text: str, encodings: list[types.PositionEncodingKind] | None = None, *, stops: bool = False, uri: str = URI
 ) -> AsyncIterator[Editor]:
     """An editor with one text open; at its end the server leaves as it is asked to."""
     editor = Editor()
@@ -66,7 +66,7 @@ async def session(
     able = types.ClientCapabilities(general=general, text_document=asked)
     await asyncio.wait_for(editor.initialize_async(types.InitializeParams(able)), PATIENCE)
     editor.initialized(types.InitializedParams())
-    document = types.TextDocumentItem(URI, "yaml", 1, text)
+    document = types.TextDocumentItem(uri, "yaml", 1, text)
     editor.text_document_did_open(types.DidOpenTextDocumentParams(document))
     yield editor
     await asyncio.wait_for(editor.shutdown_async(None), PATIENCE)
@@ -88,6 +88,28 @@ def edited(text: str, edit: types.TextEdit) -> str:
     )
     lines[edit.range.start.line] = new.decode("utf-16-le")
     return "\n".join(lines)
+
+
+@pytest.mark.parametrize(
+    "uri",
+    [
+        "file:///my%20scenes/a.yaml",
+        "file:///c%3A/a.yaml",
+        "file:///Gr%C3%B6%C3%9Fe.yaml",
+        "file:///a+b[1].yaml",
+        "untitled:1",
+    ],
+)
+def test_a_text_is_known_by_any_name(uri: str) -> None:
+    asyncio.run(named(uri))
+
+
+async def named(uri: str) -> None:
+    """Faults are shown, and of a text that is not open nothing is told."""
+    async with session(BAD, uri=uri) as editor:
+        assert len(await editor.next()) == 3
+        other = types.TextDocumentIdentifier("file:///not%20open.yaml")
+        assert await editor.text_document_hover_async(types.HoverParams(other, types.Position(1, 17))) is None
 
 
 def test_a_fault_names_the_other_places_that_it_speaks_of() -> None:

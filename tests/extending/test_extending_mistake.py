@@ -10,7 +10,8 @@ from rotsolve import cli
 from rotsolve.algebra.formula import Symbol
 from rotsolve.grading.mistakes.mistake import Change, Made
 from rotsolve.grading.mistakes.scene import Scene
-from rotsolve.grading.mistakes.table import MISTAKES, MistakeKind, WrongAnswers
+from rotsolve.grading.mistakes.table import MISTAKES, MistakeKind
+from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
 from rotsolve.scene.read import read_source
 
 SCENE = """

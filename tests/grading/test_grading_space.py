@@ -10,8 +10,8 @@ import pytest
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.grading.course.handed_in import from_answers, read_sheet
 from rotsolve.grading.course.questions import SheetTask, Task
-from rotsolve.grading.course.sheet import from_answers, read_sheet
 from rotsolve.grading.course.table import read_table
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target

@@ -16,9 +16,11 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.derivation import Answer
+from rotsolve.grading.mistakes.attempt import Attempt, Route
 from rotsolve.grading.mistakes.mistake import Mistake
 from rotsolve.grading.mistakes.scene import Scene
-from rotsolve.grading.mistakes.table import MISTAKES, WrongAnswers
+from rotsolve.grading.mistakes.table import MISTAKES
+from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
 from rotsolve.motion.positive import positive_letters
 from rotsolve.scene.read import read_file, read_source
 
@@ -280,3 +282,57 @@ def test_solving_knows_nothing_of_mistakes() -> None:
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
     assert run.stdout.strip() == "[]"
+
+
+# how far mistakes are tried
+
+
+def test_a_line_asks_a_mistake_for_its_own_answer_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of five answers the first is asked about: no other one is worked out with a mistake that does not fit."""
+    asked: list[str] = []
+    own = Attempt._ask
+    monkeypatch.setattr(Attempt, "_ask", lambda self, find: (asked.append(find.name), own(self, find))[1])
+    problem = read_file(ROOT / "problems" / "hinged" / "rod-30.yaml")
+    table = WrongAnswers.of(problem)
+    first = next(find.name for find in problem.finds)
+    assert table.first(first, lambda answer: False) is None
+    right = [find.name for find in problem.finds]
+    assert set(asked[len(right) :]) - set(right[1:]) == {first}
+    last = problem.finds[-1].name
+    wrong = {mistake.words: answers for mistake, answers in WrongAnswers.of(problem) if last in answers}
+    words, answers = next(iter(wrong.items()))
+    found = table.first(last, lambda answer: answer.closed == answers[last].closed)
+    assert found is not None and found.words == words
+
+
+@pytest.mark.sampled(60)
+@pytest.mark.parametrize("file", PROBLEMS, ids=lambda file: file.stem)
+def test_what_is_not_tried_changes_nothing(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tried all the same, mistakes that no answer meets give the right answers."""
+    scene = Scene(read_file(file))
+    if not scene.settled:
+        return
+    left = [one for one in all_mistakes(scene) if not one.change.reread]
+    left = [one for one in left if not isinstance(scene.attempt(one.change), Attempt)]
+    monkeypatch.setattr(Route, "passes_by", lambda self, altered: False)
+    assert [one.words for one in left if scene.with_mistake(one) is not None] == []
+
+
+def test_a_mistake_that_never_ends_keeps_what_it_has() -> None:
+    """With the half left out a compass needle comes to rest on top, after a time without an end."""
+    problem = read_file(ROOT / "problems" / "hinged" / "compass-needle.yaml")
+    found = {mistake.words: answers for mistake, answers in WrongAnswers.of(problem)}
+    assert list(found["the half was left out in the kinetic energy"]) == ["phi"]
+
+
+def test_the_half_of_a_height_is_no_half_of_an_energy() -> None:
+    """In the derivative of the energy ½ (a + b) is where the arm's weight acts: no acceleration comes of the half left out."""
+    problem = next(file for file in PROBLEMS if file.stem == "planet-wheel-falls-round-a-fixed-wheel")
+    found = [answers for mistake, answers in WrongAnswers.of(read_file(problem)) if mistake.name == "half left out"]
+    assert [set(answers) for answers in found] == [{"omega1", "omega2"}] * 3
+
+
+def test_a_root_within_an_angle_is_no_part_of_a_turn() -> None:
+    """The mistakes of this scene were an error."""
+    problem = next(file for file in PROBLEMS if file.stem == "tennis-racket-in-the-hand")
+    assert list(WrongAnswers.of(read_file(problem)))

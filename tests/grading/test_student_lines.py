@@ -16,7 +16,7 @@ from rotsolve.grading.comparing.equality import FreeLetter, Region, SampledRegio
 from rotsolve.grading.comparing.here import same_in
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.mistakes import table
-from rotsolve.grading.mistakes.table import WrongAnswers
+from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
 from rotsolve.grading.reading.near import near_letters
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Marked, Paper
 from rotsolve.pipeline import solve

@@ -1,6 +1,7 @@
 """What a platform does with a file, written anew from what is published of it: the readers and the rules that the tests hold files against.
 
-Nothing of rotsolve is used here. Moodle: question/type/numerical and question/format/xml of its source. QTI: the information models.
+Nothing of rotsolve is used here. Moodle: question/format.php, format/xml, type/numerical, type/multichoice, type/multianswer of
+its source. QTI: the information models.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import re
 import zipfile
 from base64 import b64decode
 from dataclasses import dataclass, field
+from html import unescape
 from io import BytesIO
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
@@ -88,11 +90,18 @@ def read_moodle(content: bytes) -> list[MoodleQuestion]:
         assert question.tag == "question"
         kind = question.attrib["type"]
         if kind == "category":
-            category = said(question, "category/text")
-            assert category.startswith("$course$/")
+            category = "/".join(steps_of_path(said(question, "category/text")))
+            assert category.startswith("$course$/top/")
             continue
         found.append(read_question(question, kind, category))
     return found
+
+
+def steps_of_path(path: str) -> list[str]:
+    """The names of categories: a path is divided at each `/` that stands alone; what is longer than the database holds stops the import."""
+    names = [step.replace("//", "/").strip() for step in re.split("(?<!/)/(?!/)", path)]
+    assert all(0 < len(name) <= 255 for name in names), names
+    return names
 
 
 def read_question(question: Element, kind: str, category: str) -> MoodleQuestion:
@@ -112,11 +121,14 @@ def read_question(question: Element, kind: str, category: str) -> MoodleQuestion
         told = (said(answer, "text"), float(answer.findtext("tolerance") or 0), fraction, said(answer, "feedback/text"))
         answers.append(told)
     if kind in ("numerical", "multichoice"):
-        assert answers and max(one[2] for one in answers) == 1.0
+        assert len(answers) > (kind == "multichoice") and max(one[2] for one in answers) == 1.0
+    if kind == "multichoice":
+        assert question.findtext("single") == "true" and question.findtext("answernumbering") in ("abc", "none")
     units = {
         unit.findtext("unit_name") or "": float(unit.findtext("multiplier") or 0) for unit in question.iter("unit")
     }
     assert all(units.values()) and not any(" " in name or len(name) > 50 for name in units)
+    assert len({name.casefold() for name in units}) == len(units)  # MySQL tells no capitals apart, and wants each once
     penalty, grading = float(question.findtext("unitpenalty") or 0), question.findtext("unitgradingtype") or "0"
     assert 0 <= penalty <= 1 and grading in "012"
     grade = float(question.findtext("defaultgrade") or 0)
@@ -149,8 +161,9 @@ def plain(html: str) -> str:
     return "".join(html_of(html).itertext())
 
 
-CLOZE = re.compile(r"\{(\d*):(NUMERICAL|MULTICHOICE_V):((?:\\.|[^\\}])*)\}", re.DOTALL)
-ALTERNATIVE = re.compile(r"(?:(=)|%(-?\d+)%)?(.+?)(?<!\\)(?:#(.*))?$", re.DOTALL)
+CLOZE = re.compile(r"\{(\d*):(NUMERICAL|MULTICHOICE_VS?):((?:\\.|[^\\}])*)\}", re.DOTALL)
+ALTERNATIVE = re.compile(r"(?:(=)|%(-?\d+)%)?(.+?)(?<!\\)(?<!&)(?<!&amp;)(?:#(.*))?$", re.DOTALL)
+IN_BOX = re.compile(r"-?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")  # numbers as a box has them
 
 
 def read_cloze(text: str) -> list[tuple[int, str, list[tuple[str, float, float, str]]]]:
@@ -162,10 +175,17 @@ def read_cloze(text: str) -> list[tuple[int, str, list[tuple[str, float, float, 
             right, percent, answer, feedback = ALTERNATIVE.fullmatch(one).groups()  # type: ignore[union-attr]
             fraction = 1.0 if right else float(percent or 0) / 100
             number, _, tolerance = answer.partition(":") if kind == "NUMERICAL" else (answer, "", "0")
-            answers.append(
-                (number, float(tolerance or 0), fraction, (feedback or "").replace(r"\}", "}").replace(r"\#", "#"))
-            )
+            assert kind != "NUMERICAL" or (IN_BOX.fullmatch(number) and IN_BOX.fullmatch(tolerance))
+            answers.append((in_box(number), float(tolerance or 0), fraction, in_box(feedback or "")))
+        assert len(answers) > (kind != "NUMERICAL") and max(one[2] for one in answers) == 1.0
         found.append((int(weight or 1), kind, answers))
+    return found
+
+
+def in_box(text: str) -> str:
+    """HTML of a box: Moodle undoes entities once, then the signs that are marked; what is left has to be well formed."""
+    found = unescape(text).replace(r"\}", "}").replace(r"\#", "#")
+    html_of(found)
     return found
 
 

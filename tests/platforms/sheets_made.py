@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
+from platform_rules import read_package
+from qti_schemas import VERSIONS, package_faults
 from rotsolve.grading.course.examiner import Judges
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.verdict import JudgedPart, Paper
@@ -22,9 +24,11 @@ def sheets_of(*files: str, variants: int = 0) -> tuple[Sheet, ...]:
 
 
 def made(writer: SheetFiles, sheets: tuple[Sheet, ...]) -> dict[str, bytes]:
-    """The files of a format."""
-    files = [file for sheet in sheets for file in writer.add(sheet)]
-    return dict([*files, *writer.close()])  # type: ignore[arg-type]
+    """The files of a format; packages of QTI keep the grammar of their version."""
+    files = dict([*(file for sheet in sheets for file in writer.add(sheet)), *writer.close()])
+    for name in VERSIONS.keys() & files:
+        assert package_faults(name, read_package(files[name])) == []  # type: ignore[arg-type]
+    return files  # type: ignore[return-value]
 
 
 def judge_of(one: SheetProblem) -> Judge:

@@ -206,12 +206,23 @@ def test_settings_replace_givens() -> None:
     assert found.givens[0].value == Number(Fraction(5))
 
 
+@pytest.mark.parametrize("value", ["9.81", "9.81 m/s", "3 kg", "number", "kg", "2*R", "-9.81 cm"])
+def test_a_given_g_that_is_no_acceleration(value: str) -> None:
+    """Who means gravity by it would get another one; with `gravity:` it is told what is meant."""
+    rest = "bodies: {block: {mass: 2 kg, moves: down}}\nfind: {a: block.acceleration}\n"
+    with pytest.raises(SceneError) as error:
+        read_text(f"given: {{R: 1 m, g: {value}}}\n{rest}")
+    (fault,) = error.value.faults
+    assert fault.message.startswith("`g` is gravity, an acceleration, but") and fault.span is not None
+    assert read_text(f"given: {{R: 1 m, g: {value}}}\ngravity: none\n{rest}").gravity is None
+
+
 def test_gravity() -> None:
     rest = "bodies: {b: {mass: 1 kg}}\nfind: {a: b.acceleration}"
     assert read_text(f"gravity: none\n{rest}").gravity is None
     assert read_text(f"given: {{g: m/s^2}}\n{rest}").gravity == Symbol("g")
     assert read_text(f"given: {{gM: m/s^2}}\ngravity: gM\n{rest}").gravity == Symbol("gM")
-    assert read_text(f"given: {{g: 3 kg}}\n{rest}").gravity == Symbol("g2")
+    assert read_text(f"given: {{g: 3 kg}}\ngravity: 9.8 m/s^2\n{rest}").gravity == Symbol("g2")
     assert read_text(f"gravity: 1.6 m/s^2\n{rest}").gravity == Symbol("g")
 
 

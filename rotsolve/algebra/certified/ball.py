@@ -34,6 +34,7 @@ class Witness:
 
 
 OPEN: list[Witness] = []
+MOST_DIGITS = 1000  # that can be asked for
 
 
 @contextmanager
@@ -369,3 +370,11 @@ def decimal_text(value: Any, values: Values | None = None, digits: int = 4) -> s
     ball = value
     number = _exact(ball) if ball.is_exact() else None
     return Certified(ball, lambda _: ball, lambda other: number == other).text(digits)
+
+
+def refuse_digits(digits: int) -> None:
+    """TypeError or ValueError for what is no number of digits."""
+    if not isinstance(digits, int):
+        raise TypeError(f"digits are a whole number, not {digits!r}")
+    if not 1 <= digits <= MOST_DIGITS:
+        raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")

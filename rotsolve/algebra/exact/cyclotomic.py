@@ -24,7 +24,10 @@ def turns_of(node: Formula) -> Fraction | None:
     """The part of a turn whose sine or cosine a call is; None of all others."""
     if not isinstance(node, Call) or node.function not in ("sin", "cos"):
         return None
-    terms = angles.linear(node.arguments[0], ())
+    try:
+        terms = angles.linear(node.arguments[0], ())
+    except ValueError:  # roots of what is no polynomial: no part of a turn is written so
+        return None
     if not terms.keys() <= {PI}:
         return None
     turns = terms.get(PI, Fraction(0)) / 2

@@ -34,8 +34,10 @@ def generators(formulas: Iterable[Formula]) -> dict[Formula, int]:
             return 0
         if node in found:
             return found[node]
+        if isinstance(node, Symbol):
+            return found.setdefault(node, 0)
         if isinstance(node, (Sum, Product, Quotient, Negative)):
-            return max(visit(child) for child in node.children())
+            return max(map(visit, node.children()))
         if isinstance(node, Power) and is_integer_power(node):
             return visit(node.base)
         if isinstance(node, Call) and node.function in RADICALS:

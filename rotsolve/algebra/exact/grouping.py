@@ -11,7 +11,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.field import Field, Terms
-from rotsolve.algebra.exact.order import Order, length
+from rotsolve.algebra.exact.order import FEWEST, MOST, TRIED, Order, length
 
 BYTE, FULL = 8, 255  # bits, and the number that has them all
 HALF = 127  # the highest exponent that is packed, so that a byte plus this does not run over
@@ -141,9 +141,6 @@ class Monomials:
                 return {m: tuple(part) for m, part in found.items()}
             outside = FULL * self.ones & ~common
 
-
-FEWEST, MOST = 4, 24  # terms of a sum that is worth grouping
-TRIED = (4, 1)  # ways to group a long sum that are measured, and a sum in it; to nest deeper has no end
 
 Group = list[tuple[int, int]]  # some terms of a sum
 

@@ -34,6 +34,8 @@ from rotsolve.algebra.notation.letters import GLYPHS
 LENGTH = "length"  # under this name a formula keeps its length
 
 
+FEWEST, MOST = 4, 24  # terms of a sum that is worth grouping
+TRIED = (4, 1)  # ways to group a long sum that are measured, and a sum in it; to nest deeper has no end
 LINE = 45  # nodes of a formula that is about a line long
 
 

@@ -15,8 +15,10 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.effort import exert
 from rotsolve.algebra.exact.factors import Exponent, Factorization, Parts, absorb_sizes, negative, singles, taken_apart
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
-from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED
 from rotsolve.algebra.exact.order import (
+    FEWEST,
+    MOST,
+    TRIED,
     Item,
     Order,
     Rank,

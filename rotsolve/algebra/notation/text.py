@@ -90,7 +90,7 @@ def unsigned(formula: Formula) -> Formula | None:
     """The formula without its leading minus; None if it has none."""
     if isinstance(formula, Negative):
         return formula.operand
-    if isinstance(formula, Number) and formula.value < 0:
+    if isinstance(formula, Number) and formula.value.numerator < 0:
         return Number(-formula.value)
     if isinstance(formula, Product):
         first = unsigned(formula.factors[0])

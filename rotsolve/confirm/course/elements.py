@@ -25,8 +25,7 @@ from rotsolve.confirm.course.reading import (
 from rotsolve.confirm.lines import twist, wound_by
 from rotsolve.confirm.pose import Way
 from rotsolve.confirm.sides import from_middle, gone_down, on_round_side, on_side, way_round
-from rotsolve.elements.asked import is_band, is_belt, is_gear, is_touch
-from rotsolve.elements.connections.strings import String
+from rotsolve.elements.asked import is_band, is_belt, is_gear, is_string, is_touch
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.language.elements import ActingElement
 from rotsolve.language.problem import Path, Term
@@ -77,7 +76,7 @@ def tension(at: Node, path: Path, term: Term | None) -> Reckoned:
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind.startswith("tension")]
     if not sizes:
         raise NotConfirmed(f"the tension of `{path.owner}`")
-    if path.point is not None and isinstance(item, String):
+    if path.point is not None and is_string(item):
         places = [number for number, ref in enumerate(item.string) if path.point in (ref.owner, ref.point)]
         if not places:
             raise NotConfirmed(f"`{path.owner}` does not touch `{path.point}`")

@@ -35,7 +35,7 @@ from rotsolve.confirm.space.arrows import (
 from rotsolve.confirm.space.masses import about_point, total_rows, turned_together
 from rotsolve.confirm.space.principal import moments_and_axes
 from rotsolve.confirm.space.readings import Reading
-from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig
+from rotsolve.confirm.space.rig import AXES, NODAL, Lines, Rig, is_told_rate
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import ROUND, SLIDES, SPEED, TURNING, Tie, of_turning, point_terms, three_ties
 from rotsolve.confirm.space.worlds import Moving, World
@@ -56,7 +56,6 @@ SIGNS = 1e-5  # where nothing but signs is looked for
 CLOSE = 1e-8  # of a place: how nearly it is what it was at the start
 MET = 1e-13  # of a step: how nearly the moment is found
 HOLDS = 1e-7
-TOLD_RATES = ("angular_velocity", "velocity", "nutation")  # of which what is kept on the way tells the squares
 NEVER = "its motion never comes there"
 TOO_FAR = "the way to its state is too long to be followed"
 
@@ -527,11 +526,6 @@ class Flight:
 def ways_through(line: Condition) -> tuple[bool, ...]:
     """Whether a gap closes upwards or downwards at a line: at a largest tilt its rate falls to nothing."""
     return {"largest": (False,), "smallest": (True,)}.get(line.word or "", (False, True))
-
-
-def is_told_rate(line: Condition) -> bool:
-    """Whether a line tells a rate of which what is kept on the way tells the square alone."""
-    return line.path is not None and line.path.quantity in TOLD_RATES
 
 
 def line_in_words(line: Condition) -> str:

@@ -15,7 +15,7 @@ from rotsolve.confirm.course.sizes import letters_open
 from rotsolve.confirm.space.arriving import ROUND_THE_AXIS, hold_lines
 from rotsolve.confirm.space.arrows import arrow_length, less
 from rotsolve.confirm.space.readings import Reading
-from rotsolve.confirm.space.rig import NODAL, NOW, Lines, Told
+from rotsolve.confirm.space.rig import NODAL, NOW, Lines, Told, is_told_rate
 from rotsolve.confirm.space.rigs import OPEN, Rigs, time_after
 from rotsolve.confirm.space.stance import Stance
 from rotsolve.confirm.space.ties import ROUND, SPEED, TURNING
@@ -86,8 +86,6 @@ class WaysOfMoving(Rigs):
     def check_senses(self, state: State) -> None:
         """Refuse rates that a later state tells in a sense in which the motion from the one before never comes there: what is kept on the
         way knows their squares alone."""
-        from rotsolve.confirm.space.flight import SIGNS, is_told_rate
-
         place = self.problem.states.index(state)
         rated = any(
             is_told_rate(line) and self.rig.value(line.value) for line in state.conditions if line.value is not None
@@ -99,6 +97,8 @@ class WaysOfMoving(Rigs):
             or self.by_time(state.name)
         ):
             return
+        from rotsolve.confirm.space.flight import SIGNS
+
         for flight in () if self.driven else self.flights_as_told(self.problem.states[place - 1], state):
             flight.exact = SIGNS
             flight.arrival(signs=True)

@@ -47,6 +47,7 @@ from rotsolve.language.problem import ANY_TIME, Condition, Problem, State
 AXES = ("x", "y", "z")
 NODAL = ("precession_angle", "tilt", "spin_angle", "precession", "nutation", "spin", "axial_rate")
 ANGLES, RATES = NODAL[:3], NODAL[3:6]
+TOLD_RATES = ("angular_velocity", "velocity", "nutation")  # of which what is kept on the way tells the squares
 ROUND_MOMENTUM = {"precession", "spin"}  # which a free body has about its angular momentum where no tilt is told
 TRAVEL = ("position", "velocity", "acceleration")
 THIN = 1e-12  # of the largest moment of inertia: none
@@ -321,3 +322,8 @@ def touching(joint: Joint) -> bool:
 def way_along(rig: Rig, parts: tuple[Formula, ...]) -> Arrow:
     """A unit vector."""
     return normed(rig.arrow(parts))
+
+
+def is_told_rate(line: Condition) -> bool:
+    """Whether a line tells a rate of which what is kept on the way tells the square alone."""
+    return line.path is not None and line.path.quantity in TOLD_RATES

@@ -17,12 +17,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY, VELOCITY
 from rotsolve.confirm import NotConfirmed, Unfit
-from rotsolve.confirm.course.rivals import SoughtLetter
 from rotsolve.confirm.course.scan import Scan, places_beside
 from rotsolve.confirm.numbers import value_of
 from rotsolve.confirm.space.hearing import VERGES, Hearing
 from rotsolve.confirm.space.inquiry import Inquiry
-from rotsolve.confirm.space.verge import gap_under, step_to
 from rotsolve.language.limited import letters_of_places, limited_letters
 from rotsolve.language.problem import EXTREMES, Find, Given, Problem
 
@@ -44,6 +42,9 @@ def beside_under_condition(hearing: Hearing, find: Find, own: float, roots: tupl
     """What is said where another number of a letter fulfils its condition too, and where one against the sense of a size does; else ''."""
     if find.where is None or find.where.word in (*VERGES, *EXTREMES) or not isinstance(find.formula, Symbol):
         return "", ""
+    from rotsolve.confirm.course.rivals import SoughtLetter
+    from rotsolve.confirm.space.verge import gap_under, step_to
+
     given = next(given for given in hearing.problem.givens if given.name == find.formula.name)
     gap = gap_under(find.where, partial(hearing.with_letter, given.name))
 
@@ -126,6 +127,8 @@ def beside_untested(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
     given = next((given for given in hearing.problem.givens if find.formula == Symbol(given.name)), None)
     if given is None or find.modifier in EXTREMES or len(hearing.letters) > 1:  # what else is sought may forbid it
         return ""
+    from rotsolve.confirm.course.rivals import SoughtLetter
+
     sought = SoughtLetter(find, given, hearing.known, own, find.group, roots)
     value = next(
         (root for root in filter(sought.may_be, sought.other_roots()) if slants(hearing, given.name, root)), None
@@ -143,6 +146,8 @@ def against_as_well(hearing: Hearing, find: Find, own: float, roots: tuple[Formu
         return ""
     if steady_somewhere(hearing) and letter not in letters_of_places(hearing.problem):
         return ""
+    from rotsolve.confirm.course.rivals import SoughtLetter
+
     given = next(given for given in hearing.problem.givens if given.name == letter)
     sought = SoughtLetter(find, given, hearing.known, own, find.group)
     if len(hearing.places) > 1:
@@ -188,6 +193,8 @@ def another_root_fits(hearing: Hearing, find: Find, own: float, roots: tuple[For
     (place, *more), givens = hearing.places, {given.name: given for given in hearing.problem.givens}
     if more or not isinstance(place, str):
         return False
+    from rotsolve.confirm.course.rivals import SoughtLetter
+
     rate = is_rate(givens[place])
     signed = rate or by_value(hearing, find, place)
     sought = SoughtLetter(find, givens[place], hearing.known, own, find.group, roots, signed=signed)

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from rotsolve.confirm import NotConfirmed
 from rotsolve.confirm.space.hearing import Hearing
 from rotsolve.confirm.space.rivals import SAME, others
-from rotsolve.confirm.space.swings import growth_about
 from rotsolve.language.problem import Find, Problem
 
 UNDISTURBED = "whether a body that is displaced from there comes back was not looked at"
@@ -39,6 +38,8 @@ def extreme_that_lasts(hearing: Hearing, find: Find, letter: str, own: float) ->
 
 def comes_back(hearing: Hearing, letter: str, place: float, name: str, state: str) -> bool:
     """Whether a body that is displaced from an angle is driven back to it."""
+    from rotsolve.confirm.space.swings import growth_about
+
     try:
         ways = hearing.with_letter(letter, place).ways(state)
         return all(growth_about(way.worlds[0], name) < 0.0 for way in ways)

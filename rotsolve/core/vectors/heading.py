@@ -31,7 +31,8 @@ from rotsolve.algebra.formula import (
 )
 
 ANGLES = 360  # of which the cosines are remembered
-_COSINE = {  # exact cosines of the first quadrant, degrees
+WHOLE = [Fraction(degrees) for degrees in range(360)]
+_COSINE: dict[int | Fraction, Formula] = {  # exact cosines of the first quadrant, degrees
     Fraction(0): ONE,
     Fraction(30): sqrt(Number(Fraction(3))) / 2,
     Fraction(45): sqrt(Number(Fraction(2))) / 2,
@@ -47,7 +48,8 @@ class Heading(Struct, frozen=True):
     terms: tuple[tuple[Formula, Fraction], ...] = ()
 
     def __add__(self, other: Heading) -> Heading:
-        return _heading(self.degrees + other.degrees, (*self.terms, *other.terms))
+        degrees = self.degrees + other.degrees if other.degrees else self.degrees
+        return _heading(degrees, (*self.terms, *other.terms)) if self.terms or other.terms else Heading(degrees)
 
     def __neg__(self) -> Heading:
         return Heading(-self.degrees, tuple((angle, -factor) for angle, factor in self.terms))
@@ -56,18 +58,23 @@ class Heading(Struct, frozen=True):
         return self + (-other)
 
     def turned(self, degrees: int | Fraction) -> Heading:
+        if isinstance(degrees, int) and self.degrees.denominator == 1:
+            return Heading(WHOLE[(self.degrees.numerator + degrees) % 360], self.terms)
         return Heading((self.degrees + degrees) % 360, self.terms)
 
     def cos(self) -> Formula:
         """cos of the heading: exact for the usual degrees, quarter turns turned into sin and signs."""
-        return self._cosine(Fraction(0))
+        return self._cosine(0)
 
     def sin(self) -> Formula:
-        return self._cosine(Fraction(-90))
+        return self._cosine(-90)
 
-    def _cosine(self, shift: Fraction) -> Formula:
+    def _cosine(self, shift: int) -> Formula:
         if not self.terms:
-            return (_sine_of_degrees if shift else _cosine_of_degrees)(self.degrees)
+            whole = self.degrees.denominator == 1
+            return (_sine_of_degrees if shift else _cosine_of_degrees)(
+                self.degrees.numerator if whole else self.degrees
+            )
         degrees = (self.degrees + shift) % 360
         terms, quarter = self.terms, round(degrees / 90)
         rest = degrees - 90 * quarter
@@ -133,7 +140,7 @@ def _heading(degrees: Fraction, terms: Iterable[tuple[Formula, Fraction]]) -> He
         if isinstance(angle, Constant):
             degrees += 180 * factor
         else:
-            collected[angle] = collected.get(angle, Fraction(0)) + factor
+            collected[angle] = collected[angle] + factor if angle in collected else factor
     return Heading(degrees, tuple((angle, factor) for angle, factor in collected.items() if factor))
 
 
@@ -149,23 +156,23 @@ def _of_slope(terms: tuple[tuple[Formula, Fraction], ...], rest: Fraction, quart
 
 
 @lru_cache(ANGLES)
-def _cosine_of_degrees(degrees: Fraction) -> Formula:
+def _cosine_of_degrees(degrees: int | Fraction) -> Formula:
     folded = min(degrees % 360, 360 - degrees % 360)
     value = _of_acute("cos", min(folded, 180 - folded))
     return negate(value) if folded > 90 else value
 
 
 @lru_cache(ANGLES)
-def _sine_of_degrees(degrees: Fraction) -> Formula:
+def _sine_of_degrees(degrees: int | Fraction) -> Formula:
     folded = degrees % 180
     value = _of_acute("sin", min(folded, 180 - folded))
     return negate(value) if degrees % 360 > 180 else value
 
 
-def _of_acute(function: str, degrees: Fraction) -> Formula:
+def _of_acute(function: str, degrees: int | Fraction) -> Formula:
     """The sine or cosine of an angle up to 90°: exact where it is a usual one."""
     value = _COSINE.get(90 - degrees if function == "sin" else degrees)
-    return Call(function, (Number(degrees / 180) * PI,)) if value is None else value
+    return Call(function, (Number(Fraction(degrees) / 180) * PI,)) if value is None else value
 
 
 class Vector(Struct, frozen=True):

@@ -13,7 +13,6 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.lying import is_level
-from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.shapes import rim_radius, shape_of, touching_radius
@@ -114,6 +113,8 @@ class Contact(Touch, frozen=True):
         if len(self.contact) > 2:
             message = f"two wheels rub on each other in a contact, and `{self.name}` names {len(self.contact)} bodies"
             raise Unsolvable(message, span=self.contact[2].span, help="write a contact for each two that touch")
+        from rotsolve.elements.connections.rubbing import Rims
+
         return Rims(self.name, self.contact, self.press or letters.make("F", self.name, "force"), self.friction)
 
 

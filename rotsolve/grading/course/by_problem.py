@@ -9,8 +9,7 @@ import re
 from collections.abc import Sequence
 
 from rotsolve.core.faults import Fault, Span
-from rotsolve.grading.course.questions import SheetTask
-from rotsolve.grading.course.sheet import (
+from rotsolve.grading.course.handed_in import (
     MARGIN,
     MARK,
     OWN,
@@ -21,10 +20,12 @@ from rotsolve.grading.course.sheet import (
     from_answers,
     from_lines,
     from_map,
+    from_yaml,
     name_and_text,
     no_answer_fault,
     read_sheet,
 )
+from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree import Map, Node, Text, compose
@@ -45,6 +46,14 @@ def read_papers_of_student(text: str, file: str, sheet: SheetTask) -> tuple[Pape
     if file.lower().endswith(YAML) or all(MARGIN.match(line) for line in lines if line):
         return papers_in_map(text, file, sheet)
     return papers_in_lines(lines, file, sheet)
+
+
+def read_map_of_student(text: str, file: str, sheet: SheetTask) -> tuple[Paper, ...]:
+    """The same of a YAML map."""
+    if sheet.is_sheet:
+        return papers_in_map(text, file, sheet)
+    task = sheet.tasks[0]
+    return (from_yaml(text, file, tuple(task.letters), task.parts),)
 
 
 def papers_in_lines(lines: Sequence[str], file: str, sheet: SheetTask) -> tuple[Paper, ...]:
@@ -150,11 +159,11 @@ def known_papers(papers: Sequence[Paper], lines: Sequence[str], file: str, sheet
     return tuple(papers)
 
 
-def papers_of_answers(texts: Sequence[str], sheet: SheetTask) -> tuple[Paper, ...]:
+def papers_of_answers(texts: Sequence[str], sheet: SheetTask, file: str = "--answer") -> tuple[Paper, ...]:
     """The answers of the command line, each `1.a = …`; of a scene alone `a = …`."""
     if not sheet.is_sheet:
         task = sheet.tasks[0]
-        return (from_answers(texts, tuple(task.letters), task.parts),)
+        return (from_answers(texts, tuple(task.letters), task.parts, file),)
     own: list[list[str]] = [[] for _ in sheet.tasks]
     faults: list[Fault] = []
     for number, text in enumerate(texts, 1):
@@ -167,8 +176,8 @@ def papers_of_answers(texts: Sequence[str], sheet: SheetTask) -> tuple[Paper, ..
             help = hint(word, sheet.names(), "asked")
             faults.append(Fault("which answer is this?", Span(number, 1, max(1, len(word))), help))
     if faults:
-        raise HandedInError(faults, texts, "--answer")
+        raise HandedInError(faults, texts, file)
     return tuple(
-        from_answers(texts, tuple(task.letters), task.parts) if texts else Paper("", {})
+        from_answers(texts, tuple(task.letters), task.parts, file) if texts else Paper("", {})
         for task, texts in zip(sheet.tasks, own, strict=True)
     )

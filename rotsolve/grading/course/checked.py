@@ -9,15 +9,15 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.core.faults import Unsolvable
+from rotsolve.grading.course.by_problem import papers_of_answers, read_map_of_student, read_papers_of_student
 from rotsolve.grading.course.command import SEED
-from rotsolve.grading.course.examiner import Judges, variant_of
+from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.handed_in import content_of
 from rotsolve.grading.course.marked import MarkedSheet
-from rotsolve.grading.course.questions import SheetTask, Task
+from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.student import StudentPage
-from rotsolve.grading.course.sheet import content_of, from_answers, from_yaml, meant_answer, read_sheet
 from rotsolve.grading.course.students import Student
-from rotsolve.grading.verdict import RIGHT, JudgedLine, JudgedPart, Marked, Paper
+from rotsolve.grading.verdict import RIGHT, JudgedLine, JudgedPart, Paper
 from rotsolve.language.words import hint
 from rotsolve.page.formats import WIDTH, format_named
 from rotsolve.page.text import plain_text
@@ -35,33 +35,48 @@ def check_answers(
     variants: int | None = None,
     seed: int = SEED,
 ) -> CheckedPaper:
-    """Mark the answers of one student to a problem, as `rotsolve check` does.
+    """Mark the answers of one student to a problem or a sheet of problems, as `rotsolve check` does.
 
-    `problem` is as for `rotsolve.solve`, or a solution. `answers` are a dict by the names under `find`, {"a": "2mg/(2m+M)"}, with `working`
-    if there is some; a text with a line for each, "a = 4.36 m/s^2"; or the path of a file, a `pathlib.Path`. `variant` is the number of
-    the student's own numbers, `variants` how many there are, `seed` that of the key. Raises HandedInError for answers that can't be read,
-    NotMarked for a variant that is none, SceneError and Unsolvable as `solve` does.
+    `problem` is as for `rotsolve.solve`, a solution, or the path of a sheet file. `answers` are a dict by the names under `find`,
+    {"a": "2mg/(2m+M)"}, with `working` if there is some; a text with a line for each, "a = 4.36 m/s^2"; or the path of a file, a
+    `pathlib.Path`. Those to a sheet are named as on the command line: {"1.a": …, "roll.a": …}, {"roll": {"a": …, "working": …}}.
+    `variant` is the number of the student's own numbers, `variants` how many there are, `seed` that of the key. Raises HandedInError for
+    answers that can't be read, NotMarked for a variant that is none, SceneError and Unsolvable as `solve` does.
     """
-    judges = Judges(problem.problem if isinstance(problem, Solution) else problem, seed, variants)
-    for found in judges.solution.checks:
-        if found.holds is False:
-            raise Unsolvable(f"its answers do not hold: {plain_text(found.words)}", file=judges.problem.file)
-    paper = paper_of(answers, tuple(judges.task.letters), judges.task.parts)
-    if not paper.variant and variant is not None:
-        paper = replace(paper, variant=str(variant))
-    return CheckedPaper(judges.task, judges.judge(variant_of(paper)).mark(paper), paper.variant)
+    if isinstance(problem, (str, os.PathLike)):
+        examination = Examination.of_file(problem, seed, variants)
+    else:
+        scene = problem.problem if isinstance(problem, Solution) else problem
+        examination = Examination.of_scene(scene, seed, variants)
+    papers = papers_of(answers, examination.task)
+    told = papers[0].variant or ("" if variant is None else str(variant))
+    marked = examination.mark_one([replace(paper, variant=told) for paper in papers])
+    return CheckedPaper(examination.task, marked, papers[0].student, told)
 
 
-def paper_of(answers: Answers, asked: tuple[str, ...], parts: Mapping[str, str]) -> Paper:
-    """What is handed in, whatever form it has."""
+def papers_of(answers: Answers, task: SheetTask) -> tuple[Paper, ...]:
+    """What is handed in to each problem, whatever form it has."""
     if isinstance(answers, Mapping):
-        return from_yaml(written_yaml(answers), "<dict>", asked, parts)
+        return read_map_of_student(written_yaml(as_typed(answers)), "<dict>", task)
     if isinstance(answers, os.PathLike):
         file = os.fspath(answers)
-        return read_sheet(content_of(file), file, asked, parts)
+        return read_papers_of_student(content_of(file), file, task)
+    if not isinstance(answers, str):
+        raise TypeError(f"answers are a dict, a text or a path, not {answers!r}")
     if "\n" not in answers.strip():
-        return from_answers((answers.strip(),), asked, parts, "<text>")
-    return read_sheet(answers, "<text>", asked, parts)
+        return papers_of_answers((answers.strip(),), task, "<text>")
+    return read_papers_of_student(answers, "<text>", task)
+
+
+def as_typed(answers: Mapping[str, object]) -> dict[str, object]:
+    """Answers as texts, numbers, lists and maps, without those that are None."""
+    typed = {name: as_typed(told) if isinstance(told, Mapping) else told for name, told in answers.items()}
+    return {name: str(told) if is_expression(told) else told for name, told in typed.items() if told is not None}
+
+
+def is_expression(value: object) -> bool:
+    """Whether a value is an expression of SymPy, whose text is that of a formula."""
+    return type(value).__module__.partition(".")[0] == "sympy"
 
 
 class VerdictView(Struct, frozen=True):
@@ -109,26 +124,37 @@ class VerdictView(Struct, frozen=True):
 
 
 class CheckedPaper(Struct, frozen=True):
-    """A paper that has been marked: verdicts by the names under `find`, `checked["a"].outcome`; printed, it is the student's page."""
+    """A paper that has been marked: verdicts by the names under `find`, `checked["a"].outcome`, of a sheet `checked["1.a"]`; printed, it is
+    the student's page."""
 
-    task: Task
-    marked: Marked
+    task: SheetTask
+    marked: MarkedSheet
+    student: str = ""
     variant: str = ""
 
     @property
     def verdicts(self) -> dict[str, VerdictView]:
-        """The verdicts by the names under `find`; what has no answer is among them."""
-        return {part.name: VerdictView(part) for part in self.marked.parts}
+        """The verdicts by the names under `find`, of a sheet behind the number of their problem; what has no answer is among them."""
+        keys = map(self.task.key, self.task.asked())
+        return {key: VerdictView(part) for key, part in zip(keys, self.marked.parts, strict=True)}
 
     @property
     def working(self) -> tuple[VerdictView, ...]:
-        """The verdicts on the lines of working."""
-        return tuple(map(VerdictView, self.marked.lines))
+        """The verdicts on the lines of working, in the order of the problems."""
+        return tuple(VerdictView(line) for one in self.marked.problems for line in one.lines)
+
+    @property
+    def problems(self) -> tuple[CheckedPaper, ...]:
+        """The paper to each problem of a sheet by itself."""
+        return tuple(
+            CheckedPaper(SheetTask(task.title, (task,)), MarkedSheet((marked,)), self.student, self.variant)
+            for task, marked in zip(self.task.tasks, self.marked.problems, strict=True)
+        )
 
     @property
     def right(self) -> bool:
         """Whether every answer is right, and no line of working wrong."""
-        return MarkedSheet((self.marked,)).all_right
+        return self.marked.all_right
 
     @property
     def marks(self) -> float:
@@ -141,11 +167,11 @@ class CheckedPaper(Struct, frozen=True):
         return float(self.marked.of)
 
     def __getitem__(self, name: str) -> VerdictView:
-        """The verdict on an answer, by its name in any spelling."""
-        meant = meant_answer(name, self.verdicts)
-        if meant is None:
-            raise KeyError(f"nothing is asked by the name `{name}`: {hint(name, self.verdicts, 'asked')}")
-        return self.verdicts[meant]
+        """The verdict on an answer, by its name in any spelling; of a sheet `1.a`, `roll.a`, or `a` where one problem alone asks it."""
+        meant, verdicts = self.task.meant(name), self.verdicts
+        if meant is None or self.task.key(meant) not in verdicts:
+            raise KeyError(f"nothing is asked by the name `{name}`: {hint(name, verdicts, 'asked')}")
+        return verdicts[self.task.key(meant)]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.verdicts)
@@ -168,8 +194,7 @@ class CheckedPaper(Struct, frozen=True):
 
     @property
     def _page(self) -> StudentPage:
-        task = SheetTask(self.task.title, (self.task,))
-        return StudentPage(task, MarkedSheet((self.marked,)), Student(self.marked.student), self.variant)
+        return StudentPage(self.task, self.marked, Student(self.student), self.variant)
 
     def __str__(self) -> str:
         return self.to("text").rstrip("\n")

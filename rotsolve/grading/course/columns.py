@@ -12,10 +12,10 @@ from collections.abc import Mapping, Sequence
 from msgspec import Struct
 
 from rotsolve.algebra.notation.tokens import FormulaError
-from rotsolve.algebra.units.quantities import parse_unit
+from rotsolve.algebra.units.quantities import parse_unit, unit_for
 from rotsolve.core.faults import Fault, Span
+from rotsolve.grading.course.handed_in import HandedInError
 from rotsolve.grading.course.questions import Asked, SheetTask
-from rotsolve.grading.course.sheet import HandedInError
 from rotsolve.language.words import hint, quoted
 
 SEPARATORS = (",", ";", "\t")
@@ -55,6 +55,7 @@ class Columns(Struct, frozen=True):
     unused: tuple[str, ...]
     units: dict[Asked, str] = {}  # of the answers whose column tells one; numbers without a unit are in it
     breadth: int = 0  # cells of the first line, with empty ones at its end
+    remarks: tuple[str, ...] = ()  # what is to be said of headings
 
     def held(self, sheet: SheetTask) -> set[Asked]:
         """The answers that there are columns of, or of a component of them."""
@@ -66,16 +67,24 @@ def read_columns(header: Sequence[str], line: int, file: str, sheet: SheetTask) 
     tried = (columns_by(header, separator, sheet) for separator in SEPARATORS)
     best = max(tried, key=lambda item: (len(item.answers), item.width))
     cells = trimmed_cells(first_row_cells(header, best.separator))
-    twice = doubled_column(cells, sheet)
-    if best.answers and not twice:
+    fault = fault_of_headings(best, cells, sheet)
+    if fault is None:
         return best
-    wrong, message = twice, f"two columns are {quoted(twice)}"
-    help = "leave one out, or give it another name"
-    if not best.answers:
-        wrong, message = header[0], "no column has the name of an answer"
-        help = hint(next(filter(None, cells), ""), sheet.names(), "asked")
+    wrong, message, help = fault
+    wrong = wrong or header[0]
     span = Span(line, max(1, header[0].rfind(wrong) + 1), max(1, len(wrong)))
     raise HandedInError([Fault(message, span, help)], ("",) * (line - 1) + tuple(header), file)
+
+
+def fault_of_headings(found: Columns, cells: Sequence[str], sheet: SheetTask) -> tuple[str, str, str] | None:
+    """Why no class can be marked by these headings: the heading, '' for all, what is wrong, and what would help."""
+    twice = doubled_column(cells, sheet)
+    if not found.answers:
+        help = hint(next(filter(None, cells), ""), sheet.names(), "asked")
+        return "", "no column has the name of an answer", help
+    if twice:
+        return twice, f"two columns are {quoted(twice)}", "leave one out, or give it another name"
+    return column_of_other_unit(found, cells, sheet)
 
 
 def columns_by(header: Sequence[str], separator: str, sheet: SheetTask) -> Columns:
@@ -103,7 +112,8 @@ def columns_called(row: Sequence[str], separator: str, sheet: SheetTask) -> Colu
     people = places_of_people(cells, free)
     taken = {*people.values()}
     unused = tuple(cells[place] for place in free if place not in taken and cells[place])
-    return Columns(separator, len(cells), answers, workings, people, unused, units, len(row))
+    remarks = filter(None, (sheet.other_label(cells[place]) for place in answers.values()))
+    return Columns(separator, len(cells), answers, workings, people, unused, units, len(row), tuple(remarks))
 
 
 def words_for_working(place: int, sheet: SheetTask) -> tuple[str, ...]:
@@ -139,6 +149,17 @@ def answer_of(cell: str, sheet: SheetTask) -> tuple[Asked | None, str]:
         return asked, parse_unit(unit).text
     except FormulaError:
         return asked, ""
+
+
+def column_of_other_unit(found: Columns, cells: Sequence[str], sheet: SheetTask) -> tuple[str, str, str] | None:
+    """A heading whose unit is none of what it names, with what is wrong and what would do."""
+    for asked, unit in found.units.items():
+        dimension = sheet.tasks[asked[0]].dimensions.get(asked[1])
+        if dimension is not None and not parse_unit(unit).dimension.matches(dimension):
+            cell, wanted = cells[found.answers[asked]], unit_for(dimension).text
+            help = f"write {quoted(f'{sheet.key(asked)} ({wanted})')}, or leave the unit out"
+            return cell, f"{quoted(unit)} is no unit of {sheet.key(asked)}", help
+    return None
 
 
 def first_row_cells(header: Sequence[str], separator: str) -> list[str]:

@@ -12,10 +12,10 @@ from rotsolve.core.faults import Fault, RotsolveError, SceneError
 from rotsolve.grading.course.by_problem import papers_of_answers, read_papers_of_student
 from rotsolve.grading.course.examination import Examination
 from rotsolve.grading.course.examiner import NotMarked
+from rotsolve.grading.course.handed_in import HandedInError, content_of
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.student import StudentPage
-from rotsolve.grading.course.sheet import HandedInError, content_of
 from rotsolve.grading.course.students import Student
 from rotsolve.grading.verdict import Marked
 from rotsolve.page.blocks import Page
@@ -74,6 +74,8 @@ def run_check(request: CheckRequest) -> int:
     except Exception as error:
         return refuse_check(failure_outcome(request.problem, error).message)
     examination.shows_right = request.shows_right
+    if request.of_class:
+        examination.label_answers()
     try:
         if request.marks_alone:
             from rotsolve.grading.course.stream.run import mark_stream

@@ -60,6 +60,11 @@ class Examination:
         task = task_with_points(judges.task, judges)
         return cls([judges], SheetTask(task.title, (task,)))
 
+    def label_answers(self) -> None:
+        """Let the answers of a scene alone be known by their labels on its sheet too, as those of a sheet are."""
+        tasks = zip(self.task.tasks, self.judges, strict=True)
+        self.task = replace(self.task, tasks=tuple(replace(one, labels=labels_of_parts(own)) for one, own in tasks))
+
     @property
     def varies(self) -> bool:
         """Whether there are variants."""
@@ -180,13 +185,18 @@ def task_with_points(task: Task, judges: Judges) -> Task:
     return replace(task, points={name: marking_of(marking, name).points for name in task.letters})
 
 
-def sheet_task(judges: Sequence[Judges], sheet: ProblemSet) -> SheetTask:
-    """What a sheet asks: each problem with its number and short name, and its answers with the labels and in the order of the paper."""
+def labels_of_parts(judges: Judges) -> dict[str, str]:
+    """What each answer is called on a sheet: a, b, …"""
     from rotsolve.keys.parts import parts_of
 
+    return {part.name: part.label for part in parts_of(judges.problem)}
+
+
+def sheet_task(judges: Sequence[Judges], sheet: ProblemSet) -> SheetTask:
+    """What a sheet asks: each problem with its number and short name, and its answers with the labels and in the order of the paper."""
     tasks = []
     for one, own in zip(sheet.problems, judges, strict=True):
-        labels, task = {part.name: part.label for part in parts_of(own.problem)}, own.task
+        labels, task = labels_of_parts(own), own.task
         task = replace(task, letters={name: task.letters[name] for name in labels if name in task.letters})
         tasks.append(replace(task_with_points(task, own), number=one.number, name=one.name, labels=labels))
     return SheetTask(sheet.title, tuple(tasks), is_sheet=True)

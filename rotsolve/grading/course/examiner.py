@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
     from rotsolve.grading.marking.explaining import Wrong
     from rotsolve.grading.marking.judge import Judge
-    from rotsolve.grading.mistakes.table import WrongAnswers
+    from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
     from rotsolve.keys.variants import Variant
     from rotsolve.keys.working import Worked
     from rotsolve.solution import Solution
@@ -111,7 +111,10 @@ class Judges:
         parts = {
             f"{answer.name}_{label}": answer.name for answer in answers if answer.rows for label in labels_of(answer)
         }
-        return Task(self.problem.title, letters, {name: whole for name, whole in parts.items() if name not in letters})
+        own = {name: whole for name, whole in parts.items() if name not in letters}
+        known = {answer.name: answer.dimension for answer in answers if answer.dimension is not None}
+        dimensions = known | {name: known[whole] for name, whole in own.items() if whole in known}
+        return Task(self.problem.title, letters, own, dimensions=dimensions)
 
     def new_judge(self, number: int) -> Judge:
         """The judge of a variant, 0 for the scene as it stands; in any order."""

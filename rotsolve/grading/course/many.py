@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.grading.course.command import ALL_RIGHT, NOT_ALL_RIGHT, CheckRequest, refuse_check, show_page
 from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.handed_in import content_of
 from rotsolve.grading.course.overrides import OVERRIDES, read_overrides, with_overrides
 from rotsolve.grading.course.papers import PAPERS, KnownStudents, papers_table, read_papers, with_file
 from rotsolve.grading.course.questions import SheetTask
@@ -17,7 +18,6 @@ from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, known_to_c
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.summary import SummaryPage
 from rotsolve.grading.course.report.tally import NAMED, head_of_class
-from rotsolve.grading.course.sheet import content_of
 from rotsolve.grading.course.stream.cluster import joined_cluster
 from rotsolve.grading.course.stream.elsewhere import size_and_way
 from rotsolve.grading.course.stream.papers import is_parquet, open_papers
@@ -42,7 +42,9 @@ def check_class(request: CheckRequest, examination: Examination) -> int:
     handed = handed_in(request.answers, examination.task)
     rows, merged = handed.entries, tuple[str, ...]()
     if request.output is not None:
-        earlier = [] if request.anew else read_papers(Path(request.output), examination.task)
+        earlier, separator = ([], "") if request.anew else read_papers(Path(request.output), examination.task)
+        same = separator or handed.columns.separator  # tables of a report stay as they are
+        handed = replace(handed, columns=replace(handed.columns, separator=same))
         rows = tuple(with_file(earlier, rows))
         merged = tuple(what_was_merged(earlier, rows, handed.entries)) if earlier else ()
     course = marked_course(request, examination, handed, rows)
@@ -85,7 +87,8 @@ def what_was_merged(earlier: Sequence[Entry], rows: Sequence[Entry], fresh: Sequ
         again = f"{len(own) - len(new)} of students who had handed in before"
         yield f"{papers_in_words(len(own))} from {file}, {again}."
     kept = [holder for holder in holders if holder not in own]
-    left = [holder for holder in own if not any(entry in fresh for entry in holder.rows)]
+    told = {(entry.line, entry.student) for entry in fresh}  # what can't be told whose it is has lost its papers
+    left = [holder for holder in own if not any((entry.line, entry.student) in told for entry in holder.rows)]
     if left:
         names = ", ".join(holder.student.called for holder in left[:NAMED])
         yield f"Not in {file} any more, but kept from an earlier run: {names}{', …' if len(left) > NAMED else ''}. --anew forgets them."
@@ -125,7 +128,7 @@ def report_class(course: MarkedClass, request: CheckRequest, rows: Sequence[Entr
     with advancing("writing") as tell:
         failed = write_report(course, folder, pages, tell)
     if not failed:
-        head = head_of_class(course.task, course.held, course.tally, course.seed)
+        head = head_of_class(course.task, course.columns, course.held, course.tally, course.seed)
         for said in (*head, *course.merged, *absent_from_gradebooks(course)):
             print(said)
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")

@@ -13,9 +13,9 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, Span
 from rotsolve.grading.course.columns import SEPARATORS, plain_heading
+from rotsolve.grading.course.handed_in import MARK, HandedInError, content_of
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import Asked, SheetTask
-from rotsolve.grading.course.sheet import MARK, HandedInError, content_of
 from rotsolve.grading.course.students import Student
 from rotsolve.grading.course.table import plain_cell
 from rotsolve.grading.verdict import BY_HAND, Marked, Remark, Verdict
@@ -121,7 +121,8 @@ class OverrideReader:
         if not name and not number:
             self.fault("the row says no student", "", "write the name, or the number")
             return None
-        meant = [place for place, (student, _) in enumerate(self.students) if number and student.number == number]
+        same = Student("", number).identity(NUMBER)
+        meant = [place for place, (student, _) in enumerate(self.students) if same and student.identity(NUMBER) == same]
         if number and not meant:
             numbers = tuple(student.number for student, _ in self.students if student.number)
             self.fault(f"no student has the number {quoted(number)}", number, hint(number, numbers, "numbers"))

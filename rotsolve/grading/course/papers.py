@@ -17,8 +17,8 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, Span
 from rotsolve.grading.course.columns import SEPARATORS
+from rotsolve.grading.course.handed_in import MARK, HandedInError, content_of, file_error
 from rotsolve.grading.course.questions import Asked, SheetTask
-from rotsolve.grading.course.sheet import MARK, HandedInError, content_of, file_error
 from rotsolve.grading.course.students import IDENTITIES, Student
 from rotsolve.grading.course.table import Entry, plain_cell
 from rotsolve.grading.verdict import Paper
@@ -56,22 +56,34 @@ class KnownStudent(Struct):
             papers = own if papers is None else tuple(map(followed_by, papers, own))
             if any(replaces(later, row) for later in self.rows[place + 1 :]):
                 said.append(f"handed in before, in {named_row(row, last)}: the later answers count")
+            if any(leaves_empty(later, row) for later in self.rows[place + 1 :]):
+                said.append(f"what the later paper leaves empty stands as in {named_row(row, last)}")
         remarks = (*last.remarks, *said, *self.remarks)
         return replace(last, student=self.student, papers=papers, remarks=remarks, variant=last.variant or variant)
 
 
 def followed_by(paper: Paper, later: Paper) -> Paper:
-    """A paper with what a later one says; of an answer that the later table has no column of, the earlier one stands."""
+    """A paper with what a later one says; of an answer that the later one does not have, the earlier one stands."""
     if not later.answers and not later.working:
         return paper
-    return replace(later, answers={**paper.answers, **later.answers}, working=later.working or paper.working)
+    said = {name: text for name, text in later.answers.items() if text or not paper.answers.get(name)}
+    return replace(later, answers={**paper.answers, **said}, working=later.working or paper.working)
 
 
 def replaces(later: Entry, entry: Entry) -> bool:
-    """Whether a later row says something else of an answer that both have."""
-    pairs = zip(entry.papers or (), later.papers or (), strict=False)
-    shared = ((one, other, name) for one, other in pairs for name in one.answers.keys() & other.answers.keys())
-    return any(one.answers[name] != other.answers[name] for one, other, name in shared)
+    """Whether a later row says something else of an answer."""
+    return any(one and other and one != other for one, other in shared_answers(later, entry))
+
+
+def leaves_empty(later: Entry, entry: Entry) -> bool:
+    """Whether a later row has an answer's column, and nothing in it."""
+    return any(one and not other for one, other in shared_answers(later, entry))
+
+
+def shared_answers(later: Entry, entry: Entry) -> Iterator[tuple[str, str]]:
+    """What a row and a later one have in the columns of the same answers."""
+    for one, other in zip(entry.papers or (), later.papers or (), strict=False):
+        yield from ((one.answers[name], other.answers[name]) for name in one.answers.keys() & other.answers.keys())
 
 
 def named_row(entry: Entry, beside: Entry) -> str:
@@ -123,7 +135,7 @@ class KnownStudents:
     def identified(self, student: Student) -> KnownStudent | None:
         """The holder with the surest mark that both have."""
         for kind in IDENTITIES:
-            holder = self.by_identity.get((kind, getattr(student, kind).casefold()))
+            holder = self.by_identity.get((kind, student.identity(kind)))
             if holder is not None and holder.student.same_identity(student):
                 return holder
         return None
@@ -143,11 +155,15 @@ class KnownStudents:
         if not holder.rows:
             self.all.append(holder)
             self.by_words.setdefault(holder.student.words, []).append(holder)
+        written = holder.student.number
         holder.student = entry.student.completed(holder.student)
+        if written and holder.student.number != written:
+            said = f"the number {holder.student.number} is {written} in {named_row(holder.rows[-1], entry)}"
+            holder.remarks.append(f"{said}: taken as the same")
         holder.rows.append(entry)
         for kind in IDENTITIES:
             if getattr(holder.student, kind):
-                self.by_identity.setdefault((kind, getattr(holder.student, kind).casefold()), holder)
+                self.by_identity.setdefault((kind, holder.student.identity(kind)), holder)
 
 
 def with_file(earlier: Sequence[Entry], fresh: Sequence[Entry]) -> list[Entry]:
@@ -207,11 +223,12 @@ def cell_of(papers: Sequence[Paper] | None, what: Asked | int) -> str:
     return papers[what[0]].answers.get(what[1], "")
 
 
-def read_papers(folder: Path, sheet: SheetTask) -> list[Entry]:
-    """What was handed in before; nothing where there is no such table. Raises HandedInError for one of another sheet."""
+def read_papers(folder: Path, sheet: SheetTask) -> tuple[list[Entry], str]:
+    """What was handed in before, and what separates its cells; nothing where there is no such table. Raises HandedInError for one of
+    another sheet."""
     path = folder / PAPERS
     if not path.is_file():
-        return []
+        return [], ""
     text = content_of(str(path)).removeprefix(MARK)
     lines = text.split("\n")
     wanted = columns_of_papers(sheet)
@@ -230,7 +247,7 @@ def read_papers(folder: Path, sheet: SheetTask) -> list[Entry]:
         raise HandedInError([Fault(message, span, help)], lines, str(path))
     try:
         reader = csv.reader(StringIO(text, newline=""), delimiter=separator, strict=True)
-        return list(entries_kept(reader, wanted, sheet, str(path)))
+        return list(entries_kept(reader, wanted, sheet, str(path))), separator
     except csv.Error as error:
         raise file_error(
             f"the table can't be read: {error}", "restore it, or begin again with --anew", str(path)

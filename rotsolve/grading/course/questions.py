@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.grading.course.sheet import meant_answer
+from rotsolve.grading.course.handed_in import meant_answer
+from rotsolve.language.words import quoted
 from rotsolve.page.text import plain_text
 
+IN_BRACKETS = re.compile(r"\s*\(\s*\w+\s*\)\s*")
 Asked = tuple[int, str]  # an answer of a sheet: the place of its problem, and its name under `find`
 
 
 class Task(Struct, frozen=True):
     """One problem that is marked: its title, and what is asked by name with the letter that is printed for it.
 
-    `parts` are the names of the components of vectors in space, each with that of the vector; `points` are those of each answer. On a sheet
-    it has a number and a short name, and its answers the labels of its parts, (a), (b), …
+    `parts` are the names of the components of vectors in space, each with that of the vector; `points` are those of each answer,
+    `dimensions` those of answers and components that have one. On a sheet it has a number and a short name, and its answers the
+    labels of its parts, (a), (b), …
     """
 
     title: str
     letters: Mapping[str, Formula]
     parts: Mapping[str, str] = {}
     points: Mapping[str, Fraction] = {}
+    dimensions: Mapping[str, Dimension] = {}
     number: int = 1
     name: str = ""
     labels: Mapping[str, str] = {}
@@ -34,10 +40,14 @@ class Task(Struct, frozen=True):
         return (self.letters[name],) if name in self.letters else (name,)
 
     def named(self, word: str) -> str | None:
-        """The answer or component that a word means: by its name, else by its label on the sheet."""
+        """The answer or component that a word means: by its name, else by its label on the sheet; `(a)` is a label alone."""
+        name = None if IN_BRACKETS.fullmatch(word) else meant_answer(word, (*self.letters, *self.parts))
+        return name or self.labelled(word)
+
+    def labelled(self, word: str) -> str | None:
+        """The answer with this label on the sheet."""
         label = word.strip().strip("()").casefold()
-        labelled = (name for name, own in self.labels.items() if own == label)
-        return meant_answer(word, (*self.letters, *self.parts)) or next(labelled, None)
+        return next((name for name, own in self.labels.items() if own == label), None)
 
 
 class SheetTask(Struct, frozen=True):
@@ -80,7 +90,24 @@ class SheetTask(Struct, frozen=True):
             return None if name is None else (place, name)
         called = ((place, meant_answer(words, (*one.letters, *one.parts))) for place, one in enumerate(self.tasks))
         found = [(place, name) for place, name in called if name is not None]
+        if len(self.tasks) == 1 and (not found or IN_BRACKETS.fullmatch(words)):
+            name = self.tasks[0].named(words)
+            return None if name is None else (0, name)
         return found[0] if len(found) == 1 else None
+
+    def other_label(self, words: str) -> str:
+        """Of a heading that names an answer, and is the label of another one: what is to be said; '' of any other."""
+        meant = self.meant(words)
+        if meant is None:
+            return ""
+        task, word = self.tasks[meant[0]], words.rpartition(".")[2] if self.is_sheet else words
+        other = task.labelled(word)
+        if other in (None, meant[1]) or IN_BRACKETS.fullmatch(word):
+            return ""
+        own = task.labels.get(task.parts.get(meant[1], meant[1]), "")
+        head = words.removesuffix(word)
+        said = f"The column {quoted(words)} is taken as the answer named {meant[1]}, which is ({own}) on the sheet"
+        return f"{said}; {quoted(f'{head}({word.strip()})')} would be the answer ({word.strip()}) there, {other}."
 
     def names(self) -> tuple[str, ...]:
         """All that a column may be called, for a suggestion."""

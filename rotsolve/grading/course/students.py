@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-IDENTITIES = ("number", "email", "login")  # what one student alone has, the surest first
+NUMBER = "number"
+IDENTITIES = (NUMBER, "email", "login")  # what one student alone has, the surest first
 
 
 class Student(Struct, frozen=True):
@@ -33,10 +34,15 @@ class Student(Struct, frozen=True):
     def same_identity(self, other: Student) -> bool | None:
         """Whether the surest mark that both have is the same; None where they share none."""
         for kind in IDENTITIES:
-            own, theirs = getattr(self, kind).casefold(), getattr(other, kind).casefold()
+            own, theirs = self.identity(kind), other.identity(kind)
             if own and theirs:
                 return bool(own == theirs)
         return None
+
+    def identity(self, kind: str) -> str:
+        """A number, address or name for the login as it is compared: spreadsheets drop the zeros that a number begins with."""
+        text: str = getattr(self, kind).casefold()
+        return (text.lstrip("0") or "0") if kind == NUMBER and text.isdecimal() else text
 
     def named_alike(self, other: Student) -> bool:
         """Whether the names can be those of one person: one may have words that the other leaves out."""

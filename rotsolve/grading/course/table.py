@@ -29,8 +29,8 @@ from rotsolve.grading.course.columns import (
     Columns,
     read_columns,
 )
+from rotsolve.grading.course.handed_in import MARK, HandedInError, as_whole_vectors, file_error
 from rotsolve.grading.course.questions import SheetTask
-from rotsolve.grading.course.sheet import MARK, HandedInError, as_whole_vectors, file_error
 from rotsolve.grading.course.students import Student
 from rotsolve.grading.verdict import Paper
 

@@ -32,7 +32,7 @@ from rotsolve.solution import Solution
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.mistake import Mistake
-    from rotsolve.grading.mistakes.table import WrongAnswers
+    from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
 
 FEWER = (1, 2, 3)  # figures to which a given may have been rounded
 PIS = ("3.14", "22/7", "3.1", "3")
@@ -81,7 +81,7 @@ def rounded_early(typed: Typed, factor: Formula, answers: tuple[Rounded, ...]) -
 
 def wrong_answers_of(solution: Solution) -> WrongAnswers:
     """The answers of a solved scene with each mistake in it, in the case that is printed first."""
-    from rotsolve.grading.mistakes.table import WrongAnswers  # a right answer needs none of them
+    from rotsolve.grading.mistakes.wrong_answers import WrongAnswers  # a right answer needs none of them
 
     points = solution.trace.points
     return WrongAnswers.of(solution.problem, points[0] if points else {})
@@ -144,27 +144,34 @@ class Explaining:
         number = Typed(typed.value * (typed.unit or asked.unit).factor / asked.unit.factor, typed.figures)
         same_unit = typed.unit is None or typed.unit.factor == asked.unit.factor
         rough = certified_number(number.value, {})
-        for mistake, answers in self.wrong_answers:
-            answer = answers.get(name)
-            if answer is None or answer.value is None or answer.unit != asked.unit or rough is None:
-                continue
-            if abs(answer.value.float - rough.float) > FAR * abs(rough.float):
-                continue  # most are told apart by their size
-            rounded_so = same_unit and not nothing and rounds_to(typed, answer.value)
-            if rounded_so or is_near(number, answer.value, share=ALIKE):
-                return mistake_finding(mistake)
-        return None
+
+        def fits(wrong: Answer) -> bool:
+            if wrong.value is None or wrong.unit != asked.unit or rough is None:
+                return False
+            if abs(wrong.value.float - rough.float) > FAR * abs(rough.float):
+                return False  # most are told apart by their size
+            rounded_so = same_unit and not nothing and rounds_to(typed, wrong.value)
+            return bool(rounded_so or is_near(number, wrong.value, share=ALIKE))
+
+        return self._first_mistake(name, fits)
 
     def vector(self, target: Target, reading: LineReading) -> Finding | None:
         """The mistake that gives a vector or a matrix: with it every component is right; None where none does."""
         typed = component_readings(reading)
-        for mistake, answers in self.wrong_answers:
-            parts = entries_of_answer(answers[target.name]) if target.name in answers else ()
-            if len(parts) == len(typed) == len(target.parts):
-                wanted = [self.in_place_of(own, part) for own, part in zip(target.parts, parts, strict=True)]
-                if components_right(typed, wanted):
-                    return mistake_finding(mistake)
-        return None
+
+        def fits(wrong: Answer) -> bool:
+            parts = entries_of_answer(wrong)
+            if not len(parts) == len(typed) == len(target.parts):
+                return False
+            wanted = [self.in_place_of(own, part) for own, part in zip(target.parts, parts, strict=True)]
+            return components_right(typed, wanted)
+
+        return self._first_mistake(target.name, fits)
+
+    def _first_mistake(self, name: str, fits: Callable[[Answer], bool]) -> Finding | None:
+        """The commonest mistake with which an answer is such as fits."""
+        mistake = self.wrong_answers.first(name, fits)
+        return None if mistake is None else mistake_finding(mistake)
 
     def in_place_of(self, right: Scalar, wrong: Answer) -> Scalar:
         """A component as it is with a mistake."""
@@ -213,20 +220,19 @@ class Explaining:
     def mistake_of_formula(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """The mistake that gives a formula; None where none does."""
         number = certified_number(formula, asked.values)
-        for mistake, answers in self.wrong_answers:
-            answer = answers.get(name)
-            if answer is None or answer.closed is None:
-                continue
-            rough = si_value(answer)
+
+        def fits(wrong: Answer) -> bool:
+            rough = si_value(wrong)
             if number is not None and rough is not None and abs(number.float - rough) > ROUGHLY * abs(rough):
-                continue  # most are told apart by their numbers
-            both = put_in(answer.closed, formula, asked.values, {})
-            if both is None or any(asked.values[name] == ONE for name in both.missing):
-                continue  # what is 1 can be left out of any formula
-            fits = not of_other_dimension(formula, asked) or numbers_stand(formula, both.missing, asked.numbers)
-            if fits and asked.same(both.typed, both.closed):
-                return mistake_finding(mistake)
-        return None
+                return False  # most are told apart by their numbers
+            both = None if wrong.closed is None else put_in(wrong.closed, formula, asked.values, {})
+            if both is None or any(asked.values[letter] == ONE for letter in both.missing):
+                return False  # what is 1 can be left out of any formula
+            if of_other_dimension(formula, asked) and not numbers_stand(formula, both.missing, asked.numbers):
+                return False
+            return asked.same(both.typed, both.closed) is True
+
+        return self._first_mistake(name, fits)
 
 
 def node_replaced(old: Formula, new: Formula, node: Formula) -> Formula:

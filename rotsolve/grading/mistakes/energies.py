@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, negate, total
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_CHOICE, Equation, Law
+from rotsolve.core.equation import ANGULAR_MOMENTUM, DERIVATIVE, ENERGY, NEWTON, POWER, SECOND_CHOICE, Equation, Law
 from rotsolve.core.facts import Force
 from rotsolve.core.passage import Alteration, Encounter, Meeting
 from rotsolve.core.symbols import of_kinds
@@ -54,8 +54,8 @@ def halves(scene: Scene) -> Made:
 
 
 def speaks_of_energy(equation: Equation) -> bool:
-    """Whether an equation is a law of energy, or says what a kinetic energy is that is asked for."""
-    return equation.family == ENERGY or equation.law.kinetic
+    """Whether an equation is a law of energy, whose halves are its own, not of a power, or says what a kinetic energy is."""
+    return (equation.family == ENERGY and equation.law not in (POWER, DERIVATIVE)) or equation.law.kinetic
 
 
 def half_of_way(scene: Scene) -> Made:

@@ -13,34 +13,32 @@ from types import MappingProxyType
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.ball import Certified, evaluate, pass_on
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.effort import Exhausted, at_most
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number
 from rotsolve.core.derivation import Answer
 from rotsolve.core.equation import ABOUT_CONTACT, Equation
 from rotsolve.core.facts import BodyFacts, Facts
-from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.passage import Alteration
-from rotsolve.derivation.compose import DerivationComposer
+from rotsolve.core.remembered import remembered
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.comparing.numbers import certified_number
+from rotsolve.grading.mistakes.attempt import NO_ANSWER, Attempt, Route, answers_of
 from rotsolve.grading.mistakes.mistake import Change, Mistake
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
 from rotsolve.search.acting import acting_forward
-from rotsolve.search.answering import answer
-from rotsolve.search.consistency import disagreement
 from rotsolve.search.friction import decide
 from rotsolve.search.letterspace import Point, at_point, numbers_of
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solving import scene_equations_of
 
-ROUNDS = 2  # times that a question is asked
-NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
+ROUTE_STEPS = 1000  # of work for the right answers by some laws
 NEARLY = 1e-9  # relative: numbers closer than this are not told apart
 DIGITS = 10  # to which a difference of two forms is worked out
 
@@ -70,20 +68,19 @@ class Scene(Struct, frozen=True, dict=True):
         return modes_of(self.configuration)
 
     @cached_property
-    def _as_counted(self) -> tuple[Search, Mapping[str, Answer]]:
-        """The right answers with each friction drawn against the way in which its body is counted, and how they were found."""
-        search = Search(equations_by(self.configuration, self.modes), families_for(None))
-        return search, answers_of(search)
+    def _as_counted(self) -> Route:
+        """How the right answers are found with each friction drawn against the way in which its body is counted."""
+        return Route.by(equations_by(self.configuration, self.modes), families_for(None))
 
     @cached_property
     def forward(self) -> frozenset[str]:
         """The frictions that are drawn the other way, since they are known to act so: as they are where the scene is solved."""
-        return frozenset() if self.problem.space else acting_forward(self._as_counted[0])
+        return frozenset() if self.problem.space else acting_forward(self._as_counted.search)
 
     @cached_property
     def equations(self) -> SceneEquations:
         if not self.forward:
-            return self._as_counted[0].scene
+            return self._as_counted.search.scene
         return equations_by(replace(self.configuration, forward=self.forward), self.modes)
 
     @cached_property
@@ -110,25 +107,36 @@ class Scene(Struct, frozen=True, dict=True):
     @cached_property
     def answers(self) -> Mapping[str, Answer]:
         """The right answers by name."""
-        return answers_of(Search(self.equations, families_for(None))) if self.forward else self._as_counted[1]
+        return answers_of(self._right.search)
 
     def with_mistake(self, mistake: Mistake) -> Mapping[str, Answer] | None:
         """The answers that the mistake changes; None where it changes none, or the scene has no answer then."""
+        return self.changed_by(self.attempt(mistake.change))
+
+    def changed_by(self, attempt: Attempt | Rereading) -> Mapping[str, Answer] | None:
+        """The answers of the scene with something changed in it, as far as they are not right; None where all are, or there are none."""
         try:
-            given = self._answers(mistake.change)
+            given = attempt.answers()
         except NO_ANSWER:
             return None
         return self._wrong(given, self.answers, self.problem.values)
+
+    def told(self, attempt: Attempt | Rereading, name: str) -> Answer | None:
+        """An answer of the scene with something changed in it, right or not, before all its laws are held together."""
+        try:
+            return attempt.answer(name) if name in self.answers else None
+        except NO_ANSWER:
+            return None
 
     def with_values(
         self, mistake: Mistake, answers: Mapping[str, Answer], values: Mapping[str, Formula]
     ) -> Mapping[str, Answer] | None:
         """The answers that a mistake changes, from those for the numbers of the scene, for other numbers; nothing is solved again."""
         if mistake.change.reread:
-            given = self._reread(mistake.change, values)
+            given = self._reread(mistake.change, values).answers()
         else:
             given = {name: reread(one, {}, values) for name, one in answers.items()}
-        return self._wrong(given, self._reread(Change(), values), values)
+        return self._wrong(given, self._reread(Change(), values).answers(), values)
 
     def _wrong(
         self, given: Mapping[str, Answer], right: Mapping[str, Answer], values: Mapping[str, Formula]
@@ -138,26 +146,49 @@ class Scene(Struct, frozen=True, dict=True):
         pairs = ((name, differing.left_of(one, right[name])) for name, one in given.items() if name in right)
         return {name: wrong for name, wrong in pairs if wrong is not None} or None
 
-    def _reread(self, change: Change, values: Mapping[str, Formula]) -> dict[str, Answer]:
+    @cached_property
+    def _right(self) -> Route:
+        """How the right answers are found."""
+        return Route.by(self.equations, families_for(None)) if self.forward else self._as_counted
+
+    @remembered
+    def route(self, families: tuple[str, ...]) -> Route | None:
+        """How they are found by some laws; None where that takes too long. No mistake pays for it, since several go by it."""
+        if families == families_for(None):
+            return self._right
+        try:
+            with at_most(ROUTE_STEPS):
+                return Route.by(self.equations, families, confirming=True)
+        except Exhausted:
+            return None
+
+    def _reread(self, change: Change, values: Mapping[str, Formula]) -> Rereading:
         """The right answers with other letters and numbers in them."""
         wrong = {name: values[name] * factor for name, factor in change.factors.items() if name in values}
-        return {name: reread(one, change.letters, {**values, **wrong}) for name, one in self.answers.items()}
+        return Rereading(self.answers, change.letters, {**values, **wrong})
 
-    def _answers(self, change: Change) -> Mapping[str, Answer]:
-        """The answers of the scene with a change in it, right ones among them."""
-        if change.reread:
-            return self._reread(change, self.problem.values)
+    def attempt(self, change: Change) -> Attempt | Rereading:
+        """What answers the scene with a change in it; right answers are among its own."""
+        try:
+            return self._reread(change, self.problem.values) if change.reread else self._solving(change)
+        except NO_ANSWER:
+            return Rereading({})
+
+    def _solving(self, change: Change) -> Attempt | Rereading:
+        """What solves the scene with a change in it; nothing where that changes no answer."""
         problem = self.problem if change.problem is None else change.problem(self.problem)
         altered = change.altered if change.altered is None or change.about_contact else about_centres(change.altered)
         configuration = Configuration(problem, altered, self.forward)
         families = tuple(family for family in families_for(None) if family not in change.aside)
-        if change.problem is None and altered is not None and altered.facts is None and not problem.space:
+        if change.problem is None and altered is not None and not problem.space:
             equations = self.equations.rewritten_by(configuration)
         else:
             equations = equations_by(configuration, self.modes if change.problem is None else modes_of(configuration))
-        search = Search(equations, families, confirming=True)
-        answers = answers_of(search)
-        return {} if change.throughout and disagreement(search) is not None else answers
+        route = self.route(families) if change.problem is None else None
+        if route is not None and route.passes_by(equations):
+            pass_on(route.witness)
+            return Rereading({})
+        return Attempt(Search(equations, families, confirming=True), throughout=change.throughout)
 
 
 def about_centres(altered: Alteration) -> Alteration:
@@ -181,24 +212,21 @@ def equations_by(configuration: Configuration, modes: Mapping[str, str]) -> Scen
     return scene_equations_of(configuration) if configuration.problem.space else SceneEquations(configuration, modes)
 
 
-def answers_of(search: Search) -> dict[str, Answer]:
-    """The answers to those questions that have one, by name; the others may need what is left out, or one that comes later."""
-    pending = list(search.scene.configuration.problem.finds)
-    for _ in range(ROUNDS):
-        waiting: list[Find] = []
-        later = False  # whether something was answered after a question that was not
-        for find in pending:
-            try:
-                answer(search, find)
-            except NO_ANSWER:
-                waiting.append(find)
-            else:
-                later = later or bool(waiting)
-        pending = waiting if later else []
-    return {one.name: one for one in DerivationComposer(search).results.answers()}
-
-
 # answers
+
+
+class Rereading(Struct, frozen=True):
+    """Answers with something else written for letters, and with other numbers."""
+
+    right: Mapping[str, Answer]
+    letters: Mapping[str, Formula] = MappingProxyType({})
+    values: Mapping[str, Formula] = MappingProxyType({})
+
+    def answer(self, name: str) -> Answer | None:
+        return reread(self.right[name], self.letters, self.values) if name in self.right else None
+
+    def answers(self) -> Mapping[str, Answer]:
+        return {name: reread(one, self.letters, self.values) for name, one in self.right.items()}
 
 
 def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:

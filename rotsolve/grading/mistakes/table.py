@@ -1,4 +1,4 @@
-"""The table of mistakes that are recognised, the commonest first, and the wrong answers that they give in one scene.
+"""The table of mistakes that are recognised, the commonest first.
 
 To add a mistake: a function from a scene to the words and changes with which it can be made there, and a row in MISTAKES, by how common it
 is. docs/mistakes.md has the same rows; a test holds them together.
@@ -6,31 +6,13 @@ is. docs/mistakes.md has the same rows; a test holds them together.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from functools import cached_property, partial
-from itertools import count, islice
-from types import MappingProxyType
-from typing import TypeVar
+from collections.abc import Callable, Iterator
 
 from msgspec import Struct
-from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Witness, pass_on, witnessed
-from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.effort import Allowance, Exhausted
-from rotsolve.algebra.formula import Formula
-from rotsolve.core.derivation import Answer
-from rotsolve.core.symbols import TIME
 from rotsolve.grading.mistakes import energies, forces, impacts, in_space, inertias, misread
 from rotsolve.grading.mistakes.mistake import Made, Mistake
-from rotsolve.grading.mistakes.scene import Scene, same_answers
-from rotsolve.language.problem import Problem
-from rotsolve.search.letterspace import Point
-
-STEPS = 20_000  # of the work for all mistakes of a scene; most scenes take a few hundred, a step about a millisecond
-MOST_TRIED = 200  # mistakes of a scene
-Wrong = tuple[Mistake, Mapping[str, Answer]]  # a mistake with the answers that it changes
-Done = TypeVar("Done")
+from rotsolve.grading.mistakes.scene import Scene
 
 
 class MistakeKind(Struct, frozen=True):
@@ -165,130 +147,3 @@ MISTAKES = [
         ("units not converted", "cm is put in as m, g as kg", misread.units_not_converted),
     )
 ]
-
-
-class Tried(Struct, frozen=True, dict=True):
-    """A mistake that was tried in a scene: the answers that it changes, None where it changes none, and what was asked of numbers."""
-
-    mistake: Mistake
-    place: int  # among those of its kind
-    answers: Mapping[str, Answer] | None
-    scene: Scene
-    witness: Witness
-
-    @cached_property
-    def signs(self) -> Mapping[Formula, int]:
-        """The numbers on which it hangs, with their signs."""
-        oracle = SignOracle(self.scene.whole.values)
-        return {item: oracle.by_numbers(item) or 0 for item in self.witness.asked}
-
-    def holds_for(self, signs: VariantSigns) -> bool:
-        """Whether other numbers lead the same way: all have the same signs, and no more than these decided."""
-        if self.mistake.change.reread:
-            return True
-        return not self.witness.by_size and all(signs.of(item) == sign for item, sign in self.signs.items())
-
-
-class VariantSigns:
-    """The signs of numbers in one variant of a problem, each worked out once."""
-
-    def __init__(self, problem: Problem) -> None:
-        self._oracle = SignOracle(problem.values)
-        self._known: dict[Formula, int | None] = {}
-
-    def of(self, item: Formula) -> int | None:
-        """The sign; None where it goes with the time."""
-        if item not in self._known:
-            self._known[item] = None if TIME in item.symbols() else self._oracle.by_numbers(item) or 0
-        return self._known[item]
-
-
-class WrongAnswers:
-    """The mistakes of a scene with the answers that they give, found one after the other as they are asked for, each once.
-
-    Of mistakes of one kind that give the same answers, only the first.
-    """
-
-    def __init__(self, rest: Iterator[Tried]) -> None:
-        self._found: list[Tried] = []
-        self._rest = rest
-        self._anew: dict[tuple[str, int], list[Tried]] = {}  # those solved again for other numbers, by kind and place
-
-    @classmethod
-    def of(cls, problem: Problem, point: Point = MappingProxyType({})) -> WrongAnswers:
-        """Those of a problem, which is solved with each mistake in it; of letters in the case that the numbers of a point are of."""
-        return cls(tried_mistakes(Scene(problem, point)))
-
-    def __iter__(self) -> Iterator[Wrong]:
-        return ((one.mistake, one.answers) for one in self.tried() if one.answers is not None)
-
-    def tried(self) -> Iterator[Tried]:
-        """All mistakes that were tried."""
-        for place in count():
-            if place == len(self._found):
-                following = next(self._rest, None)
-                if following is None:
-                    return
-                self._found.append(following)
-            yield self._found[place]
-
-    def with_values(self, problem: Problem) -> WrongAnswers:
-        """The same for the scene with other numbers; solved again is only what hangs on a number that has another sign now."""
-        return WrongAnswers(self._with_values(problem))
-
-    def _with_values(self, problem: Problem) -> Iterator[Tried]:
-        signs, allowance = VariantSigns(problem), Allowance(STEPS)
-        for one in self.tried():
-            others = self._anew.setdefault((one.mistake.name, one.place), [])
-            like = next((other for other in (one, *others) if other.holds_for(signs)), None)
-            if like is None:
-                like = try_again(one, Scene(problem, one.scene.point), allowance)
-                others.append(like)
-            answers = like.scene.with_values(like.mistake, like.answers or {}, problem.values)
-            yield replace(like, answers=answers)
-
-
-def try_mistake(mistake: Mistake, place: int, scene: Scene, allowance: Allowance, right: Witness) -> Tried:
-    """A mistake tried in a scene whose right answers hang on some numbers, with half of the work that is left at most."""
-    with witnessed() as witness:
-        pass_on(right)
-        answers = allowed(allowance, partial(scene.with_mistake, mistake))
-    return Tried(mistake, place, answers, scene, witness)
-
-
-def try_again(one: Tried, scene: Scene, allowance: Allowance) -> Tried:
-    """The same mistake in the scene with other numbers; without answers where it can't be made there."""
-    kind = next(kind for kind in MISTAKES if kind.name == one.mistake.name)
-    with witnessed() as witness:
-        twins = allowed(
-            allowance, lambda: scene.settled and list(islice(kind.mistakes(scene), one.place, one.place + 1))
-        )
-    if not twins:
-        return Tried(one.mistake, one.place, None, scene, witness)
-    return try_mistake(twins[0], one.place, scene, allowance, witness)
-
-
-def tried_mistakes(scene: Scene) -> Iterator[Tried]:
-    """The mistakes of a scene as far as the work for them is allowed."""
-    allowance, left = Allowance(STEPS), MOST_TRIED
-    with witnessed() as right:
-        settled = allowed(allowance, lambda: scene.settled and bool(scene.answers))
-    for kind in MISTAKES if settled else ():
-        given: list[Mapping[str, Answer]] = []
-        for place, mistake in enumerate(islice(kind.mistakes(scene), left)):
-            left -= 1
-            one = try_mistake(mistake, place, scene, allowance, right)
-            if one.answers is not None and any(same_answers(one.answers, other) for other in given):
-                one = replace(one, answers=None)
-            elif one.answers is not None:
-                given.append(one.answers)
-            yield one
-
-
-def allowed(allowance: Allowance, work: Callable[[], Done]) -> Done | None:
-    """What comes of a piece of work; None where it takes more than half of what is left."""
-    try:
-        with allowance.used(parts=2):
-            return work()
-    except Exhausted:
-        return None

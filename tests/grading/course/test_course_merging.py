@@ -54,6 +54,9 @@ def answers(holder: KnownStudent, place: int = 0) -> dict[str, str] | None:
         ("Winch. α", (0, "alpha")),
         ("1.b", (0, "alpha")),  # a label on paper, where no answer has that name
         ("2.b", (1, "b")),  # the name before the label
+        ("2.(b)", (1, "x")),  # in brackets the label alone
+        ("2.(a)", (1, "b")),
+        ("2.(x)", None),
         ("roll.a", (1, "b")),
         ("roll.x", (1, "x")),
         ("x", (1, "x")),  # the only one of that name
@@ -66,6 +69,17 @@ def answers(holder: KnownStudent, place: int = 0) -> dict[str, str] | None:
 )
 def test_headings_of_a_sheet(heading: str, asked: tuple[int, str] | None) -> None:
     assert SHEET.meant(heading) == asked
+
+
+def test_a_heading_that_is_the_label_of_another_answer_says_so() -> None:
+    said = SHEET.other_label("2.b")
+    assert said == (
+        "The column `2.b` is taken as the answer named b, which is (a) on the sheet; `2.(b)` would be the answer (b) there, x."
+    )
+    assert not any(map(SHEET.other_label, ("1.a", "1.b", "2.(b)", "2.x", "2.a", "q", "x")))
+    alone = SheetTask("", (Task("", {"b": Symbol("b"), "a": Symbol("a")}, labels={"b": "a", "a": "b"}),))
+    assert (alone.meant("a"), alone.meant("(a)"), alone.meant("c")) == ((0, "a"), (0, "b"), None)
+    assert alone.other_label("a").startswith("The column `a` is taken as the answer named a, which is (b) on the sheet")
 
 
 def test_a_name_of_two_problems_means_neither() -> None:
@@ -97,6 +111,30 @@ def test_the_later_paper_counts_and_says_so() -> None:
     (ada,) = counting(rows("number,name,a\n1,Ada,1\n"), rows("number,name,a\n1,Ada,2\n", "late.csv"))
     assert answers(ada) == {"a": "2"}
     assert ada.counting.remarks == ("handed in before, in line 2 of class.csv: the later answers count",)
+
+
+def test_an_empty_cell_takes_no_answer_away() -> None:
+    """In a later file and in the same one; what has been answered in the later row counts."""
+    early, late = "1,Ada,1,2,3\n", "1,Ada,,5,\n"
+    head = "number,name,a,alpha,T\n"
+    for files in ((rows(head + early), rows(head + late, "late.csv")), (rows(head + early + late),)):
+        (ada,) = counting(*files)
+        assert answers(ada) == {"a": "1", "alpha": "5", "T": "3"}
+        here = "line 2 of class.csv" if len(files) > 1 else "line 2"
+        assert ada.counting.remarks == (
+            f"handed in before, in {here}: the later answers count",
+            f"what the later paper leaves empty stands as in {here}",
+        )
+
+
+def test_a_number_without_its_zeros_is_the_same_number() -> None:
+    first = rows("number,name,a\n007,Ada,1\n0,Bob,1\n")
+    ada, bob = counting(first, rows("number,name,a\n7,Ada,2\n00,Bob,2\n", "late.csv"))
+    assert (answers(ada), answers(bob)) == ({"a": "2"}, {"a": "2"})
+    assert "the number 7 is 007 in line 2 of class.csv: taken as the same" in ada.counting.remarks
+    ada, bob, eve = counting(first, rows("number,name,a\n7,Eve,2\n", "late.csv"))
+    assert (ada.student.name, eve.student.name) == ("Ada", "Eve")
+    assert "the number 7 stands with two names: Eve, in line 2 of late.csv" in ada.counting.remarks
 
 
 def test_a_late_table_without_a_column_leaves_that_answer_and_the_variant_as_they_were() -> None:
@@ -181,7 +219,7 @@ def test_what_is_kept_comes_back(first: list[tuple[str, ...]], later: list[tuple
     assert {id(entry) for entry in with_file(found, one)} == {id(entry) for entry in found}
     with TemporaryDirectory() as folder:
         Path(folder, "papers.csv").write_text(papers_table(found, SHEET, separator, ""), encoding="utf-8", newline="")
-        back = read_papers(Path(folder), SHEET)
+        back, _ = read_papers(Path(folder), SHEET)
     assert [holder.counting.papers for holder in KnownStudents(back).all] == [
         holder.counting.papers for holder in KnownStudents(found).all
     ]

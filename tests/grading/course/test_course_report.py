@@ -199,3 +199,22 @@ def test_variants_that_do_not_exist_are_said_row_by_row(command: Command) -> Non
         assert found["Ada"]["marks"] != "" and found["Eve"]["remarks"] == "not marked: `two` is no number of a variant"
         assert bob in found["Bob"]["remarks"] if bob else found["Bob"]["marks"] != ""
         assert gus in found["Gus"]["remarks"] and found["Gus"]["marks"] == ""
+
+
+def test_a_late_file_with_other_separators_leaves_the_tables_as_they_are(made_up: Command) -> None:
+    Path("class.csv").write_text("number;name;a\n1;Ada;?\n", encoding="utf-8")
+    Path("late.csv").write_text("number,name,a\n2,Bob,g\n", encoding="utf-8")
+    for file in ("class.csv", "late.csv"):
+        made_up(file, "-o", "report")
+        for table in ("marks.csv", "papers.csv", "overrides.csv"):
+            assert ";" in Path("report", table).read_text(encoding="utf-8").splitlines()[0]
+    assert ";0,33;" in Path("report/marks.csv").read_text(encoding="utf-8")
+
+
+def test_nobody_is_missed_whose_row_may_be_of_several(made_up: Command) -> None:
+    """A name without a number in a late file is of one of two, and is in that file."""
+    Path("class.csv").write_text("number,name,a\n1,Lena,g\n2,Lena,g\n", encoding="utf-8")
+    Path("late.csv").write_text("number,name,a\n,Lena,g\n3,Bob,g\n", encoding="utf-8")
+    made_up("class.csv", "-o", "report")
+    for _ in range(2):
+        assert "Not in" not in made_up("late.csv", "-o", "report").out

@@ -217,7 +217,7 @@ def test_a_sheet_by_processes(made_up: Command) -> None:
 @pytest.mark.parametrize(
     ("columns", "said"),
     [
-        ({"name": ["Ada"], "b": ["g"]}, "no column has the name of an answer"),
+        ({"name": ["Ada"], "q": ["g"]}, "no column has the name of an answer"),
         ({"name": ["Ada"], "alpha": ["g"], "α": ["g"]}, "two columns are `α`"),
         ({"name": ["Ada"], "a": [b"g"]}, "the column `a` holds binary"),
         ({"name": pyarrow.array([], "string"), "a": pyarrow.array([], "string")}, "the table has no row"),
@@ -405,7 +405,7 @@ def test_the_median_of_counts(marks: list[Fraction]) -> None:
 
 
 def test_tallies_add_up() -> None:
-    left = Tally(3, {"1": 2}, "6", 0, 1, 2, ["A", "B"], 0, 1, 0, 0)
-    left.add(Tally(1, {"1": 1, "6": 1}, "6", 1, 0, 1, ["C"], 1, 0, 0, 1))
+    left = Tally(3, {"1": 2}, "6", variants=1, without=2, named=["A", "B"], numbers=1)
+    left.add(Tally(1, {"1": 1, "6": 1}, "6", full=1, without=1, named=["C"], varied=1, faultless=1))
     assert (left.papers, left.marks, left.full, left.marked, left.named) == (4, {"1": 3, "6": 1}, 1, 4, ["A", "B", "C"])
     assert mean([1, 1, 1, 6]) == sum(Fraction(text) * count for text, count in left.marks.items()) / 4

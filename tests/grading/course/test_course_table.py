@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.grading.course.columns import SEPARATORS
+from rotsolve.grading.course.handed_in import meant_answer, name_and_text, read_sheet
 from rotsolve.grading.course.questions import SheetTask, Task
-from rotsolve.grading.course.sheet import meant_answer, name_and_text, read_sheet
 from rotsolve.grading.course.table import KEPT, Entry, Handed, read_table
 
 ASKED = ("a", "alpha", "T", "omega0", "v_end")

@@ -114,7 +114,7 @@ def test_mistakes_of_a_variant_are_those_of_the_scene_with_its_numbers(
     """They are solved once for all variants; solving each anew says the same."""
     Path("scene.yaml").write_text(scene, encoding="utf-8")
     from rotsolve.grading.course.examiner import Judges
-    from rotsolve.grading.mistakes.table import WrongAnswers
+    from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
     from rotsolve.keys.variants import worked_variants
     from rotsolve.scene.read import read_file
 
@@ -155,7 +155,9 @@ def test_a_seed_that_can_not_be_that_of_the_sheets_is_pointed_out(command: Comma
     rows = "".join(f"S{number},{number},{number + 50}.5 m/s²\n" for number in range(1, 6))
     Path("class.csv").write_text(f"name,variant,a\n{rows}", encoding="utf-8")
     ran = command("class.csv", "--variants", "30", "--seed", "7", "-o", "report")
-    assert "No paper with a variant has a right number: is 7 the seed of the sheets?" in ran.out
+    assert (
+        "None of the answers with numbers in papers with a variant have marks: is 7 the seed of the sheets?" in ran.out
+    )
 
 
 def test_a_right_answer_behind_another_value_is_to_be_looked_at(command: Command) -> None:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from io import StringIO
 from pathlib import Path
 
+from rotsolve.grading.course.handed_in import MARK
 from rotsolve.grading.course.marked import UNMARKED
 from rotsolve.grading.course.overrides import OVERRIDES, empty_overrides
 from rotsolve.grading.course.questions import SheetTask
@@ -19,7 +20,6 @@ from rotsolve.grading.course.report.gradebooks import CANVAS, MOODLE, canvas_tab
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.student import StudentPage, marks_text
 from rotsolve.grading.course.report.summary import SummaryPage
-from rotsolve.grading.course.sheet import MARK
 from rotsolve.page.formats import FORMATS, Format
 from rotsolve.page.text import plain_text
 from rotsolve.run.delivery import harmless, write_file

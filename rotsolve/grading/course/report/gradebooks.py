@@ -35,8 +35,13 @@ def with_all_marks(course: MarkedClass) -> list[Result]:
 
 def told_of_several(results: Sequence[Result], kind: str) -> frozenset[str]:
     """What several students have, so that it tells none of them: a number that was typed wrong, a name."""
-    count = Counter(getattr(result.student, kind).casefold() for result in results)
+    count = Counter(identity_of(result, kind) for result in results)
     return frozenset(value for value, times in count.items() if times > 1)
+
+
+def identity_of(result: Result, kind: str) -> str:
+    """What a student is found by, as it is compared."""
+    return result.student.identity(kind)
 
 
 def identity_for_moodle(course: MarkedClass) -> str:
@@ -49,7 +54,7 @@ def known_to_moodle(course: MarkedClass) -> list[Result]:
     """The students that Moodle can find, whose marks are all given."""
     kind = identity_for_moodle(course)
     unsure = {"", *told_of_several(course.results, kind)}
-    return [one for one in with_all_marks(course) if getattr(one.student, kind).casefold() not in unsure]
+    return [one for one in with_all_marks(course) if identity_of(one, kind) not in unsure]
 
 
 def known_to_canvas(course: MarkedClass) -> list[Result]:
@@ -58,7 +63,7 @@ def known_to_canvas(course: MarkedClass) -> list[Result]:
     found = []
     for one in with_all_marks(course):
         surest = next((kind for kind in CANVAS_KNOWS if getattr(one.student, kind)), "name")
-        if getattr(one.student, surest).casefold() not in unsure[surest]:
+        if identity_of(one, surest) not in unsure[surest]:
             found.append(one)
     return found
 

@@ -103,7 +103,7 @@ def sum_of_marks(marked: Marked | MarkedSheet) -> str:
 
 def judged_answer(task: Task, part: JudgedPart) -> AssessedText:
     """One answer, with the label of its part on a sheet."""
-    label = f"({task.labels[part.name]}) " if len(task.labels) > 1 else ""
+    label = f"({task.labels[part.name]}) " if task.name and len(task.labels) > 1 else ""
     words = (label, *task.letter(part.name)) if label else task.letter(part.name)
     text = "" if part.verdict.outcome == NO_ANSWER else part.text
     return judged_text(words, text, part.verdict, part.verdict.outcome, marks_of(part.marks, part.of))

@@ -14,7 +14,7 @@ from rotsolve.grading.course.analysis import FEW, complete_papers, part_figures
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.report.results import MarkedClass, Result
 from rotsolve.grading.course.report.student import marked_data, marks_of, marks_text, printable_words, title_data
-from rotsolve.grading.course.report.tally import doubtful_variants, overview, without_column
+from rotsolve.grading.course.report.tally import about_columns, doubtful_variants, overview
 from rotsolve.grading.verdict import NO_ANSWER, NOT_MARKED, OUTCOMES, PARTLY, RIGHT, UNDECIDED, WRONG, JudgedPart
 from rotsolve.page.bars import Bars, LabelledBar
 from rotsolve.page.blocks import Page, PageBlock, Paragraph, Table, Title
@@ -191,7 +191,7 @@ def commonest_mistakes(course: MarkedClass) -> Iterator[Table | Paragraph]:
 def to_be_looked_at(course: MarkedClass) -> Iterator[Paragraph | Table]:
     """Columns without use, answers without a column, rows with something odd, and answers that could not be decided."""
     yield from (Paragraph((said,)) for said in course.merged)
-    yield from without_column(course.task, course.held)
+    yield from about_columns(course.task, course.columns, course.held)
     if course.columns.unused:
         yield Paragraph((f"Columns that were not used: {', '.join(course.columns.unused)}.",))
     yield from doubtful_variants(course.tally, course.seed)

@@ -8,14 +8,17 @@ from fractions import Fraction
 
 from msgspec import Struct, field
 
+from rotsolve.grading.course.columns import Columns
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.questions import Asked, SheetTask
 from rotsolve.grading.course.report.student import marks_text
+from rotsolve.grading.verdict import OPEN_OUTCOMES
 from rotsolve.page.blocks import Paragraph
 from rotsolve.page.text import plain_text
 
 NAMED = 10  # papers that are named in one sentence
 TELLING = 3  # papers of which none having a right number may be chance
+LUCKY = 4  # of so many answers with numbers in them one has marks by chance, or since it is the same in all variants
 
 
 class Tally(Struct):
@@ -25,6 +28,7 @@ class Tally(Struct):
     marks: dict[str, int] = field(default_factory=dict)  # of those that were marked, how many have which marks
     of: str = ""  # the most that a paper can have
     full: int = 0
+    open: int = 0  # answers that could not be decided, with no marks so far
     variants: int = 0  # papers that tell one
     without: int = 0  # marked papers that tell none
     named: list[str] = field(default_factory=list)  # the first of these
@@ -52,6 +56,7 @@ class Tally(Struct):
         self.of = self.of or str(marked.of)
         self.faultless += marked.all_right
         self.full += marked.marks >= marked.of
+        self.open += sum(part.verdict.outcome in OPEN_OUTCOMES for part in marked.parts)
         self.marks[str(marked.marks)] = self.marks.get(str(marked.marks), 0) + 1
         if not variant:
             self.without += 1
@@ -67,13 +72,15 @@ class Tally(Struct):
         self.marks = dict(Counter(self.marks) + Counter(other.marks))
         self.of = self.of or other.of
         self.named = [*self.named, *other.named][:NAMED]
-        for word in ("papers", "full", "variants", "without", "varied", "numbers", "right", "faultless"):
+        for word in ("papers", "full", "open", "variants", "without", "varied", "numbers", "right", "faultless"):
             setattr(self, word, getattr(self, word) + getattr(other, word))
 
 
-def head_of_class(task: SheetTask, held: Collection[Asked], tally: Tally, seed: int | None) -> Iterator[str]:
-    """What a summary begins with, a sentence a line; `held` are the answers that there are columns of."""
-    for paragraph in (*overview(tally, seed), *without_column(task, held), *doubtful_variants(tally, seed)):
+def head_of_class(
+    task: SheetTask, columns: Columns, held: Collection[Asked], tally: Tally, seed: int | None
+) -> Iterator[str]:
+    """What a summary begins with, a sentence a line; `held` are the answers that there are columns of, in this table or before."""
+    for paragraph in (*overview(tally, seed), *about_columns(task, columns, held), *doubtful_variants(tally, seed)):
         yield plain_text(paragraph.words)
 
 
@@ -89,6 +96,13 @@ def overview(tally: Tally, seed: int | None) -> Iterator[Paragraph]:
             f"mean {marks_text(mean)}, median {marks_text(median_of_counts(counts))}, best {marks_text(max(counts))}"
         )
         yield Paragraph((f"Of {marks_text(Fraction(tally.of))} marks: {figures}; {tally.full} with full marks.",))
+    if tally.open:
+        one = tally.open == 1
+        yield Paragraph(
+            (
+                f"{tally.open} {'answer has' if one else 'answers have'} no marks yet and {'counts' if one else 'count'} as 0.",
+            )
+        )
     if tally.variants and seed is not None:
         yield Paragraph((f"Variants by seed {seed}.",))
 
@@ -103,8 +117,9 @@ def median_of_counts(counts: dict[Fraction, int]) -> Fraction:
     return sum(found, Fraction(0)) / 2
 
 
-def without_column(task: SheetTask, held: Collection[Asked]) -> Iterator[Paragraph]:
-    """Answers that no column holds."""
+def about_columns(task: SheetTask, columns: Columns, held: Collection[Asked]) -> Iterator[Paragraph]:
+    """Headings that may have meant something else, and answers that no column holds."""
+    yield from (Paragraph((said,)) for said in columns.remarks)
     absent = [task.key(asked) for asked in task.asked() if asked not in held]
     if absent:
         yield Paragraph((f"No column is named {', '.join(absent)}.",))
@@ -118,5 +133,10 @@ def doubtful_variants(tally: Tally, seed: int | None) -> Iterator[Paragraph]:
         named = f"{', '.join(tally.named)}{', …' if tally.without > NAMED else ''}"
         whose = f"Papers that tell no variant: {named}" if tally.varied else "No paper tells its variant"
         yield Paragraph((f"{whose}. They were marked with the numbers of the problem itself.",))
-    if tally.varied >= TELLING and tally.numbers and not tally.right:
-        yield Paragraph((f"No paper with a variant has a right number: is {seed} the seed of the sheets?",))
+    if tally.varied >= TELLING and tally.right * LUCKY < tally.numbers:
+        said = f"{tally.right} of {tally.numbers}" if tally.right else "None"
+        yield Paragraph(
+            (
+                f"{said} of the answers with numbers in papers with a variant have marks: is {seed} the seed of the sheets?",
+            )
+        )

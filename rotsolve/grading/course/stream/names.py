@@ -36,8 +36,8 @@ class NamedLines:
         self.papers += 1
         student = entry.student
         called, sure = name_and_identity(student, entry.place)
-        identities = (getattr(student, kind) for kind in IDENTITIES)
-        return (entry.line, *(text.casefold() for text in (student.name, called, sure, *identities)))
+        identities = (student.identity(kind) for kind in IDENTITIES)
+        return (entry.line, *(text.casefold() for text in (student.name, called, sure)), *identities)
 
     def named(self, entry: Entry) -> NamedEntry:
         """The row with its student's name told apart from others, and with remarks where something of it stands in other lines too."""
@@ -49,7 +49,9 @@ class NamedLines:
         kind = next((kind for kind in IDENTITIES if getattr(entry.student, kind)), None)
         if kind is not None:
             said = getattr(entry.student, kind)
-            entry = also_elsewhere(entry, f"the {kind} {said}", self.lines(entry, f"{kind} = ?", said.casefold()))
+            entry = also_elsewhere(
+                entry, f"the {kind} {said}", self.lines(entry, f"{kind} = ?", entry.student.identity(kind))
+            )
         return NamedEntry(entry, name_apart(name, entry.place, *own))
 
     def number(self, where: str, *given: str) -> int:

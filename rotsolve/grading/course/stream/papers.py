@@ -13,11 +13,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, missing_package
-from rotsolve.grading.course.columns import Columns, columns_called, doubled_column
+from rotsolve.grading.course.columns import Columns, columns_called, fault_of_headings
+from rotsolve.grading.course.handed_in import BYTES, MARK, SAVE, HandedInError, file_error
 from rotsolve.grading.course.questions import SheetTask
-from rotsolve.grading.course.sheet import BYTES, MARK, SAVE, HandedInError, file_error
 from rotsolve.grading.course.table import Entry, entries_of_file, opened_table, row_entry, tells_no_student
-from rotsolve.language.words import hint, quoted
+from rotsolve.language.words import quoted
 from rotsolve.scene.encoding import decoded
 
 PARQUET = (".parquet",)
@@ -90,11 +90,9 @@ def open_parquet(file: str, sheet: SheetTask) -> PaperFile:
         raise file_error("this is no Parquet file", str(error).partition(". ")[0], file) from None
     names = table.schema_arrow.names
     found = columns_called(names, "", sheet)
-    twice = doubled_column(names, sheet)
-    if twice or not found.answers:
-        message = f"two columns are {quoted(twice)}" if twice else "no column has the name of an answer"
-        help = "give one another name" if twice else hint(next(iter(names), ""), sheet.names(), "asked")
-        raise file_error(message, help, file)
+    fault = fault_of_headings(found, names, sheet)
+    if fault is not None:
+        raise file_error(fault[1], fault[2], file)
     used = {*found.answers.values(), *found.workings.values(), *found.people.values()}
     for place in used:
         refuse_kind(pyarrow, names[place], table.schema_arrow.types[place], file)

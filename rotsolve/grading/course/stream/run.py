@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 from rotsolve.core.faults import RotsolveError
 from rotsolve.grading.course.command import ALL_RIGHT, NOT_ALL_RIGHT, CheckRequest, refuse_check
 from rotsolve.grading.course.examination import Examination
+from rotsolve.grading.course.handed_in import file_error
 from rotsolve.grading.course.report.tally import Tally, head_of_class
-from rotsolve.grading.course.sheet import file_error
 from rotsolve.grading.course.stream.assignment import BATCH, MarkedRows, assignment_of, named_batch, numbered_batches
 from rotsolve.grading.course.stream.cluster import Cluster, joined_cluster
 from rotsolve.grading.course.stream.kept import KeptBatches, told_run
@@ -36,7 +36,7 @@ def mark_stream(request: CheckRequest, examination: Examination) -> int:
     tally, task = Tally(), examination.task
     write_marks(request.output or "", counted_rows(kept.in_order(), tally), task, papers)
     kept.remove()
-    print("\n".join(head_of_class(task, papers.columns.held(task), tally, examination.seed)))
+    print("\n".join(head_of_class(task, papers.columns, papers.columns.held(task), tally, examination.seed)))
     print(f"The marks are in {request.output}.")
     return ALL_RIGHT if tally.all_faultless else NOT_ALL_RIGHT
 

@@ -8,9 +8,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from rotsolve.grading.course.handed_in import MARK
 from rotsolve.grading.course.questions import SheetTask
 from rotsolve.grading.course.report.folder import marks_columns, spreadsheet_row
-from rotsolve.grading.course.sheet import MARK
 from rotsolve.grading.course.stream.papers import PaperFile, is_parquet, parquet_packages
 from rotsolve.run.delivery import replacing
 

@@ -1,4 +1,4 @@
-"""Sheet: what one student hands in, as lines of text or as YAML; its bytes as text, and the asked names in any of their spellings."""
+"""Handed in: what one student hands in, as lines of text or as YAML; its bytes as text, and the asked names in any of their spellings."""
 
 from __future__ import annotations
 

@@ -1,0 +1,1 @@
+"""Core: the records that all rooms share: facts, laws, equations, quantities, vectors, the derivation, faults."""

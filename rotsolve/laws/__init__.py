@@ -1,0 +1,1 @@
+"""Laws: the table of laws, and the functions that write them from facts."""

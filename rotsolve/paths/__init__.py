@@ -1,0 +1,1 @@
+"""Paths: what a path such as `rod.end.acceleration` stands for at one moment."""
