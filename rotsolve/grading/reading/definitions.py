@@ -118,7 +118,7 @@ def defined_by(
     known = Names(names.givens | own | set(called), names.answers)
     found: dict[str, Formula] = {}
     for name, one in zip(called, clauses, strict=True):
-        form = _value(one.value, known, name, dimensions) if name else None
+        form = _meaning_told(one.value, known, name, dimensions) if name else None
         if form is None:
             return ()
         found[name] = form
@@ -164,7 +164,7 @@ def _letter_defined(typed: str, names: Names, own: frozenset[str]) -> str:
     return held or spellings(name)[0]
 
 
-def _value(text: str, names: Names, name: str, dimensions: Dimensions) -> Formula | None:
+def _meaning_told(text: str, names: Names, name: str, dimensions: Dimensions) -> Formula | None:
     """What a definition says, in SI units, by the reading that measures what the letter does: m = 5 g is five grams, M = 2 m twice m."""
     try:
         readings = [one for one in read_line(text, names) if one.kind in (FORMULA, NUMBER)]
