@@ -62,9 +62,8 @@ def number(scene: str, name: str) -> float:
 @pytest.mark.sampled(6)
 @pytest.mark.parametrize("scene", ALL)
 def test_an_answer_as_the_pages_print_it_is_right(scene: str) -> None:
-    solution = solve(PROBLEMS / f"{scene}.yaml")
-    own = Judge(solution, lambda: ())  # type: ignore[arg-type, return-value]
-    for answer in solution.derivation.answers:
+    own = judge(scene)
+    for answer in own.letters.solution.derivation.answers:
         row = answer_row(answer, 4)
         shown = next((form for form in row.forms if isinstance(form, Amount) and isinstance(form.number, str)), None)
         if answer.rows or answer.otherwise or shown is None:
@@ -76,8 +75,9 @@ def test_an_answer_as_the_pages_print_it_is_right(scene: str) -> None:
             amount = f"{value} {shown.unit.text}" if shown.unit else str(value)
             asides = [aside if page is None else page.translate(aside) for aside in row.asides]
             text = ", ".join((amount, *asides))
-            found = next(one for one in own.mark(Paper("one", {answer.name: text})).parts if one.name == answer.name)
-            assert found.verdict.outcome == RIGHT, text
+            target = own.targets[answer.name]
+            found = own.cases.judged(target, text, ()) or own.texts.judged(target, text)
+            assert found.finding.outcome == RIGHT, text
 
 
 def test_a_number_in_units_of_letters_is_a_number() -> None:
