@@ -15,16 +15,18 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
+from rotsolve.algebra.formula import Call, Formula, Negative, Number, Sum, Symbol
 from rotsolve.algebra.units.dimension import DimensionError, describe, dimension_of
-from rotsolve.grading.comparing.numbers import Typed, certified_number
+from rotsolve.grading.comparing.numbers import HALF, Typed, certified_number, is_near
 from rotsolve.grading.comparing.scalars import (
     Same,
     Scalar,
     is_turned_by,
     lacking_unit,
+    of_its_way,
     pointing_judged,
     right_but_for_sign,
+    too_few,
     turns_round,
     value_judged,
 )
@@ -130,7 +132,8 @@ def formula_judged(formula: Formula, direction: str, asked: Scalar, *, measured:
     """The finding for a formula with the direction that words behind it tell; `measured` says that units in it tell what it measures, and
     that this is what is asked for."""
     if not (direction and asked.direction):
-        return undirected_judged(formula, asked, measured)
+        finding = undirected_judged(formula, asked, measured)
+        return of_its_way(finding, direction, asked) if finding.right else finding
     other = pointing_judged(direction, asked)
     if other is not None:
         return other
@@ -161,6 +164,9 @@ def undirected_judged(formula: Formula, asked: Scalar, measured: bool) -> Findin
     partly = partly_numeric(formula, asked, fits=not misfit, measured=measured)
     if partly is not None or misfit:
         return partly or found(WRONG, "dimension", misfit)
+    multiple = multiple_judged(formula, asked)
+    if multiple is not None:
+        return multiple
     if asked.same(-formula, asked.closed) or partly_numeric(-formula, asked, fits=True) is not None:
         return right_but_for_sign(asked)
     worth = equal_by_numbers(formula, asked)
@@ -174,8 +180,11 @@ def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool, measured: boo
 
     One that does not measure what is asked (`fits`) has lost the units of its numbers.
     """
-    finding = put_in_for_letters(formula, asked, fits, measured) or put_in_beside(formula, asked)
-    return finding if finding is None or fits else lacking_unit(finding, asked.unit, asked)
+    if fits:
+        return put_in_for_letters(formula, asked, fits, measured) or put_in_beside(formula, asked)
+    beside = put_in_beside(formula, asked)  # m (9.81 − a): what stands for g says what it is
+    finding = None if beside is not None else put_in_for_letters(formula, asked, fits, measured)
+    return beside if finding is None else lacking_unit(finding, asked.unit, asked)
 
 
 def put_in_for_letters(formula: Formula, asked: Scalar, fits: bool, measured: bool) -> Finding | None:
@@ -249,6 +258,24 @@ def put_in_beside(formula: Formula, asked: Scalar) -> Finding | None:
         if asked.closed is not None and not of_other_dimension(meant, asked) and asked.same(meant, asked.closed):
             return with_numbers(asked, names)
     return None
+
+
+def multiple_judged(formula: Formula, asked: Scalar) -> Finding | None:
+    """The finding for a decimal times letters, 0.343 g, that is the answer for the scene's own numbers: it is a number; else None."""
+    decimals = [value for value in numbers_in(formula) if decimal_places(value)]
+    if asked.value is None or len(decimals) != 1 or formula.holds(Sum, Call) or not formula.symbols():
+        return None
+    if not formula.symbols() <= asked.values.keys():
+        return None
+    decimal, places = decimals[0], decimal_places(decimals[0])
+    figures = len(str(int(abs(decimal) * 10**places)))
+    typed = Typed(formula.substitute(asked.values), figures)
+    finding = value_judged(typed, asked.si, "", asked)
+    margin = abs(HALF / (10**places * decimal)) * typed.value
+    if finding is None and is_near(typed, asked.in_unit(asked.si), margin=margin):
+        finding = too_few(figures)
+    said = found(RIGHT, "numbers", "a number for the scene's own values").remarks
+    return None if finding is None else replace(finding, remarks=(*said, *finding.remarks))
 
 
 def with_numbers(asked: Scalar, names: Iterable[str], *, rounded: bool = False) -> Finding:

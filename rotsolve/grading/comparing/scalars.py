@@ -17,12 +17,13 @@ from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.numbers import (
+    LEAST_FIGURES,
     Typed,
     certified_number,
+    figures_that_hold,
     likely_meant,
     may_lack,
     measured_unit,
-    rounds_to,
     within_tolerance,
 )
 from rotsolve.grading.comparing.signs import along_motion, is_unclear, points_other_way
@@ -31,7 +32,6 @@ from rotsolve.language import marks
 from rotsolve.language.marks import Marking
 
 POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point makes
-LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
 
 Same = Callable[[Formula, Formula], "bool | None"]
 Close = Callable[[Formula, Formula, Fraction], bool]
@@ -41,7 +41,8 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
     """What is asked for: its closed form and its number, which of them there are, and how it is marked.
 
     `direction` is that of its value in words, `positive` that of a positive value where a negative one
-    has another; a `directed` one has a sign by convention. `turns` says that it counts turns.
+    has another; a `directed` one has a sign by convention. `turns` says that it counts turns. `level` is where its direction leads on the
+    level, along a slope, and `sized` the direction of that whose size is asked.
     `dimensions` are those of the letters that an answer may hold, `numbers` theirs in SI units; `answers` are the closed
     forms of all answers.
     """
@@ -61,6 +62,8 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
     positive: str = ""
     directed: bool = False
     turns: bool = False
+    level: str = ""
+    sized: str = ""
 
     @property
     def si(self) -> Unit:
@@ -129,7 +132,7 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
     if holds is None:
         return found(UNDECIDED, "tolerance", "it lies on the edge of the tolerance")
     if holds:
-        return form_judged(typed, value, asked)
+        return of_its_way(form_judged(typed, value, asked), direction, asked)
     if within_tolerance(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
         if turned:
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
@@ -140,7 +143,9 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
 def is_turned_by(direction: str, asked: Scalar) -> bool:
     """Whether words behind an answer tell the direction other than the one that is sought."""
     return bool(
-        direction and asked.direction and points_other_way(along_motion(direction, asked.positive), asked.direction)
+        direction
+        and asked.direction
+        and points_other_way(along_motion(direction, asked.positive), asked.direction, asked.level)
     )
 
 
@@ -153,12 +158,21 @@ def pointing_judged(direction: str, asked: Scalar) -> Finding | None:
     if not (direction and asked.direction):
         return None
     meant = along_motion(direction, asked.positive)
-    turned = points_other_way(meant, asked.direction)
+    turned = points_other_way(meant, asked.direction, asked.level)
     if turned is False or (turned and meant == direction):
         return None
     if turned or is_unclear(meant, asked.direction):
         return found(UNDECIDED, "direction", f"can't tell whether {direction} is the same as {asked.direction}")
     return found(WRONG, "direction", f"it points another way: {asked.direction}")
+
+
+def of_its_way(finding: Finding, direction: str, asked: Scalar) -> Finding:
+    """A right size, with what a direction costs that is not that of the quantity: it is marked as a sign is."""
+    if not direction or not asked.sized or points_other_way(direction, asked.sized, asked.level) is False:
+        return finding
+    outcome = finding.outcome if asked.marking.sign == marks.LENIENT else WRONG
+    remark = Remark("direction", (f"the size is right, but it points another way: {asked.sized}",))
+    return Finding(outcome, (*finding.remarks, remark), finding.flaws if outcome != WRONG else ())
 
 
 def right_but_for_sign(asked: Scalar) -> Finding:
@@ -226,8 +240,9 @@ def is_exactly(typed: Typed, value: Certified) -> bool:
 def slip(typed: Typed, unit: Unit, asked: Scalar) -> Finding:
     """What a number that is out of the tolerance may come of: too few figures, another unit, a power of ten."""
     value = asked.in_unit(unit)
-    if rounds_to(typed, value):
-        return too_few(typed)
+    figures = figures_that_hold(typed, value)
+    if figures:
+        return too_few(figures)
     for other in likely_meant(typed.unit, asked.unit, asked.si, asked.dimension):
         if within_tolerance(typed, asked.in_unit(other), asked.marking.tolerance, other):
             return found(WRONG, "unit", f"the number would be right in {other.text or 'no unit'}")
@@ -237,9 +252,8 @@ def slip(typed: Typed, unit: Unit, asked: Scalar) -> Finding:
     return Finding(WRONG)
 
 
-def too_few(typed: Typed) -> Finding:
-    """What is said of a number that is right to its figures, but not to the tolerance."""
-    count = typed.figures or 0
+def too_few(count: int) -> Finding:
+    """What is said of a number that is right to so many figures, but not to the tolerance."""
     said = f"right as far as it goes, but {'1 figure is' if count == 1 else f'{count} figures are'} too few"
     return found(WRONG, "figures", said, flaws=(marks.ROUNDING,) if count >= LEAST_FIGURES else ())
 

@@ -25,8 +25,9 @@ from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
-from rotsolve.grading.reading.definitions import definition
+from rotsolve.grading.reading.definitions import Defined, definition, is_introduced, without_introduction
 from rotsolve.grading.reading.everyday import everyday, without_head
+from rotsolve.grading.reading.lines import with_plain_numbers
 from rotsolve.grading.reading.near import with_near
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, plain_width
@@ -78,7 +79,7 @@ class WorkingJudge:
         are right."""
         verdicts = self.verdicts(texts, frozenset())
         if any(verdict.outcome == WRONG for verdict in verdicts):
-            verdicts = self.by_own_senses(texts) or verdicts
+            verdicts = self.by_own_senses(texts) or self.by_own_letters(texts) or verdicts
         first = next((index for index, verdict in enumerate(verdicts) if verdict.outcome == WRONG), None)
         return tuple(
             JudgedLine(text, verdict, index == first)
@@ -103,9 +104,26 @@ class WorkingJudge:
                     ]
         return None
 
-    def verdicts(self, texts: tuple[str, ...], turned: frozenset[str]) -> list[Verdict]:
-        """The verdict on each line, letters that a line brings in being known from there on."""
-        found, defined = list[Verdict](), self.definitions(texts)
+    def by_own_letters(self, texts: tuple[str, ...]) -> list[Verdict] | None:
+        """The verdicts with moments of inertia as the lines define them, I for that of the whole; None where a line is wrong with these
+        too, or none is right by them."""
+        own = tuple(one for one in self.own_letters(texts) if one[1] in self.letters.constants)
+        verdicts = self.verdicts(texts, frozenset(), own) if own else []
+        used = any(
+            verdict.outcome == RIGHT and any(index < place and self.speaks_of(text, name) for index, name, _ in own)
+            for place, (text, verdict) in enumerate(zip(texts, verdicts, strict=False))
+        )
+        return verdicts if used and not any(verdict.outcome == WRONG for verdict in verdicts) else None
+
+    def speaks_of(self, text: str, name: str) -> bool:
+        return any(name in spellings(word) for word in NAME.findall(text))
+
+    def verdicts(
+        self, texts: tuple[str, ...], turned: frozenset[str], own: tuple[tuple[int, str, Formula], ...] = ()
+    ) -> list[Verdict]:
+        """The verdict on each line, letters that a line brings in being known from there on; `own` are letters of the scene that mean
+        what the lines say."""
+        found, defined = list[Verdict](), (*self.definitions(texts), *own)
         for count, text in enumerate(texts):
             known = tuple((name, form) for index, name, form in defined if index < count)
             brings = next(((name, form) for index, name, form in defined if index == count), None)
@@ -128,15 +146,41 @@ class WorkingJudge:
         return tuple(found)
 
     @remembered
+    def own_letters(self, texts: tuple[str, ...]) -> tuple[tuple[int, str, Formula], ...]:
+        """The letters of the scene that the lines define: moments of inertia, and givens for which a word says so, `let M = 0`."""
+        defined = self.definitions(texts)
+        names, put = self.names(tuple(name for _, name, _ in defined)), {name: form for _, name, form in defined}
+        found: list[tuple[int, str, Formula]] = []
+        for index, text in enumerate(texts):
+            own = self.letters.constants | (self.letters.givens if is_introduced(text) else frozenset())
+            told = None
+            if own and len(text) <= MAX_LENGTH:
+                told = definition(plain_width(text), names, own, self.letters.dimensions)
+            if told is not None and told[0] in own:
+                found.append((index, told[0], told[1].substitute(put)))
+        return tuple(found)
+
+    def defined(self, texts: tuple[str, ...]) -> tuple[Defined, Defined]:
+        """The letters that the lines define: the student's own, and those of the scene."""
+        both = (self.definitions(texts), self.own_letters(texts)) if texts else ((), ())
+        brought, own = (tuple((name, form) for _, name, form in found) for found in both)
+        return brought, own
+
+    @remembered
     def verdict(self, text: str, context: Context = PLAIN) -> Verdict:
         long = AnswerError.of_length(text)
         if long is not None:
             return Verdict(UNDECIDED, "", (Remark("reading", (str(long),), long.start, long.end),))
-        line = without_head(everyday(plain_width(text)), self.names().letters)
-        links = [self.link(*link, context) for part in statements_of(line) for link in equations_of(*part)]
-        telling = [one for one in links if all(remark.kind != "trivial" for remark in one.remarks)]
-        finding = all_findings(telling or links)
+        plain = everyday(with_plain_numbers(plain_width(text), self.names()))
+        finding = self.all_links(without_head(plain, self.names().letters), context)
+        if finding.outcome == UNDECIDED and is_introduced(plain):  # the word may be letters of the scene
+            finding = self.all_links(without_introduction(plain), context)
         return Verdict(finding.outcome, "", finding.remarks)
+
+    def all_links(self, line: str, context: Context) -> Finding:
+        """The finding for all equations of a line; one that says nothing counts only where no other says more."""
+        links = [self.link(*link, context) for part in statements_of(line) for link in equations_of(*part)]
+        return all_findings([one for one in links if all(remark.kind != "trivial" for remark in one.remarks)] or links)
 
     @remembered
     def names(self, defined: tuple[str, ...] = ()) -> Names:

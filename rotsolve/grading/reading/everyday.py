@@ -103,7 +103,7 @@ def without_head(text: str, letters: frozenset[str]) -> str:
     return " " * head.end() + text[head.end() :]
 
 
-def cut_aside(text: str, names: frozenset[str]) -> tuple[str, str]:
+def cut_clause(text: str, names: frozenset[str]) -> tuple[str, str]:
     """The line without the words behind it that say when or of what it holds, `when it rolls`, and these; '' where there are none.
 
     With the name of a letter or of another body among them, or a word that turns what is said, they stay.
