@@ -51,16 +51,17 @@ MEANING = {
     UNTELLABLE: "as incomplete, contradictory or never reached",
     SAID: "the assembly contradicts: the answer is withheld",
     SILENT: "another answer when the scene is said otherwise",
-    SLOW: "more than 2 s of CPU",
+    SLOW: "more than 2 s of CPU, or no end of it and of the same said otherwise after 20 s",
     BROKEN: "internal error, or a scene that can't be read",
 }
 
 
-def smallest(scene: Scene, verdict: str) -> Scene:
-    """The scene without what can be left out while its verdict stays."""
+def smallest(scene: Scene, verdict: str, why: str) -> Scene:
+    """The scene without what can be left out while its verdict stays, with the same reason."""
 
     def same(other: Scene) -> bool:
-        return judged(other, outcome(written(other), 7), random.Random(0))[0] == verdict
+        found, reason = judged(other, outcome(written(other), 7), random.Random(0))
+        return found == verdict and plain(reason) == plain(why)
 
     return shrunk(scene, same) if verdict in (SAID, BROKEN) else scene
 
@@ -72,7 +73,7 @@ def report(options: argparse.Namespace, result: Result, verdict: str) -> None:
     options.failures.mkdir(parents=True, exist_ok=True)
     drawn = space.drawn if options.space else compose.drawn
     scene = read(result.text) if result.text else drawn(options.seed, result.number)[1]
-    text = written(smallest(scene, verdict))
+    text = written(smallest(scene, verdict, why))
     head = "".join(f"# {line}\n" for line in (verdict, *why.splitlines()))
     file = options.failures / f"{verdict.split()[-1]}-{options.seed}-{result.number}.yaml"
     file.write_text(head + text, encoding="utf-8")
@@ -92,7 +93,7 @@ def table(counts: Counter[str], reasons: Counter[str]) -> str:
 
 def plain(reason: str) -> str:
     """A reason without the names and numbers of its scene."""
-    words = reason.splitlines()[0].removeprefix("error: ").split("`")
+    words = (reason.splitlines() or [""])[0].removeprefix("error: ").split("`")
     return "…".join(words[::2]).split(": ")[0]
 
 
@@ -103,7 +104,9 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="of the random scenes (1)")
     parser.add_argument("--first", type=int, default=0, help="number of the first scene (0)")
     parser.add_argument("--jobs", type=int, default=2, help="processes (2)")
-    parser.add_argument("--time-limit", type=float, default=20.0, help="seconds after which a scene is given up (20)")
+    parser.add_argument(
+        "--time-limit", type=float, default=20.0, help="seconds of CPU after which a scene is given up (20)"
+    )
     parser.add_argument("--failures", type=Path, default=Path("soundness-failures"), help="where wrong scenes go")
     parser.add_argument("--space", action="store_true", help="scenes in space")
     parser.add_argument("--write", action="store_true", help="write the table into docs/benchmarks.md")

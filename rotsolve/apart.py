@@ -11,7 +11,7 @@ from rotsolve.core.derivation import Refusal
 from rotsolve.core.faults import UNSOLVED, Contradicted, Fault, Impossible, NeverReached, Unsolvable
 from rotsolve.core.letters import letters_of
 from rotsolve.language.block import asked_block
-from rotsolve.language.problem import Find, Problem, before
+from rotsolve.language.problem import Find, Problem, asked_before, before
 from rotsolve.search.answering import Unanswered, needed_for, with_named
 from rotsolve.solution import Solution, with_refused
 
@@ -32,12 +32,12 @@ def each_where_answered(problem: Problem, solve: SolveFor) -> Solution:
 
 
 def those_in_time(problem: Problem, solve: Callable[[Problem], Solution], tries: int = TRIES) -> Solution:
-    """The solution for the questions that can be answered with the work that a scene may take: without the one that takes it all, else
-    those that had been answered with half of it."""
+    """The solution for the questions that can be answered with the work that a scene may take: those that had been answered with half of
+    it, else without the one that takes it all, or without what is asked of the last state where none is known to."""
     try:
         return solve(problem)
     except Exhausted as error:
-        kept = with_named({*error.done}, problem) or left_without(error.stuck, problem)
+        kept = with_named({*error.done}, problem) or left_without(error.stuck, problem) or earlier(problem)
         if tries == 1 or not kept or len(kept) == len(problem.finds):
             raise
     solution = those_in_time(replace(problem, finds=kept), solve, tries - 1)
@@ -50,6 +50,14 @@ def left_without(name: str, problem: Problem) -> tuple[Find, ...]:
     """The questions of a problem without one, and those that hang on it."""
     return tuple(
         find for find in problem.finds if name and all(one.name != name for one in with_named({find.name}, problem))
+    )
+
+
+def earlier(problem: Problem) -> tuple[Find, ...]:
+    """The questions of a problem that speak of earlier states than the others; nothing where all speak of one."""
+    ways = (asked_before(place, problem) for place in range(len(problem.states) - 1, 0, -1))
+    return next(
+        (with_named({find.name for find in kept}, problem) for kept in ways if 0 < len(kept) < len(problem.finds)), ()
     )
 
 

@@ -48,7 +48,7 @@ def reflected(scene: Scene) -> Scene | None:
         for surface in result.get("surfaces", {}).values():
             surface_reflected(surface)
         for item in result.get("connections", {}).values():
-            connection_reflected(item)
+            connection_reflected(item, scene)
             if on_a_rim(str(item), scene) and any(word in item for word in AT_A_POINT):
                 raise Asymmetric(str(item))
         for item in (*result.get("actions", {}).values(), *result.get("events", {}).values()):
@@ -99,8 +99,8 @@ def surface_reflected(surface: Any) -> None:
         surface.update({word: SIDES.get(surface[word], surface[word]) for word in ("wall", "side") if word in surface})
 
 
-def connection_reflected(item: Scene) -> None:
-    """Strings and springs drawn the other way."""
+def connection_reflected(item: Scene, scene: Scene) -> None:
+    """Strings and springs drawn the other way, wires wound the other way."""
     if any(word in item for word in ASYMMETRIC):
         raise Asymmetric(str(item))
     if "string" in item:
@@ -108,8 +108,22 @@ def connection_reflected(item: Scene) -> None:
     if "spring" in item:
         places = [[minus(end[0]), end[1]] if isinstance(end, list) else end for end in item["spring"]]
         item["spring"] = places if any(isinstance(end, list) for end in places) else places[::-1]
+    if "torsion" in item:
+        wire_reflected(item, scene)
     if "pulls" in item:
         item["pulls"] = {name: SIDES.get(way, way) for name, way in item["pulls"].items()}
+
+
+def wire_reflected(item: Scene, scene: Scene) -> None:
+    """A wire without torque where it has none in the scene: the angles of rods, where they are told, are counted from the other side."""
+    refs = item["torsion"] if isinstance(item["torsion"], list) else [item["torsion"]]
+    owners = [ref.partition(".")[0] for ref in refs]
+    shapes = [body.get("shape") if isinstance(body := scene["bodies"].get(name), dict) else body for name in owners]
+    told = [f"{name}.angle" in str(scene.get("states")) for name in owners]
+    turned = [shape == "rod" and known for shape, known in zip(shapes, told, strict=True)]
+    half_turns = turned[-1] - (turned[0] if len(turned) > 1 else 0)
+    if half_turns or "rest_angle" in item:
+        item["rest_angle"] = f"{180 * half_turns} deg - ({item.get('rest_angle', '0')})"
 
 
 def push_reflected(item: Scene, scene: Scene) -> None:

@@ -66,8 +66,8 @@ def struck(model: Known, before: Placed, event: Event) -> Struck:
     held = begun(event)
     for trial in product(*(blow_modes(grip, pose, held) for grip in grips)):
         modes = {grip.name: mode for grip, mode in zip(grips, trial, strict=True)}
-        found = without_pulls(model, at, aims, gripped, hit.loads, modes)
-        fits = all(lasts(grip, found, at) for grip in grips if grip.name not in held)
+        found, parted = without_pulls(model, at, aims, gripped, hit.loads, modes)
+        fits = all(lasts(grip, found, at) for grip in grips if grip.name not in held) and not into(parted, found)
         if fits and all(goes_on(grip, (model, at, aims, gripped, hit.loads), found) for grip in hit.grips):
             rates = [old + change for old, change in zip(at.speed, found.rates, strict=True)]
             check_energy(model, hit, at.speed, rates)
@@ -155,7 +155,7 @@ def goes_on(
         return started and found.reactions.get(grip.normal, 0.0) > 0.0
     gains = []
     for way in (FORWARD, BACK):
-        other = without_pulls(*struck_by, {**found.modes, grip.name: way}, pulls=True)
+        other, _ = without_pulls(*struck_by, {**found.modes, grip.name: way}, pulls=True)
         gains.append(slip_speed(grip, other.rates) * other.reactions[grip.normal])
     least = 1e-9 * max(map(abs, gains))
     return gains[0] <= least and gains[1] >= -least
@@ -170,18 +170,26 @@ def without_pulls(
     modes: dict[str, str],
     *,
     pulls: bool = False,
-) -> Dynamics:
-    """The change of the rates, where what can only push or pull lets go rather than do the opposite, if it may not."""
-    rows = list(rows)
+) -> tuple[Dynamics, list[Row]]:
+    """The change of the rates, where what can only push or pull lets go rather than do the opposite, if it may not; and what lets go."""
+    rows, parted = list(rows), list[Row]()
     while True:
         found = balanced(model, at, rows, grips, loads, modes)
         size = max([abs(value) for value in found.reactions.values()], default=0.0)
         wrong = [row for row in rows if row.push and found.reactions[row.key] < -1e-9 * size]
         if pulls or not wrong:
-            return found
+            return found, parted
         worst = min(wrong, key=lambda row: found.reactions[row.key])
         rows.remove(worst)
+        parted.append(worst)
         grips = [grip for grip in grips if grip.normal != worst.key]
+
+
+def into(parted: list[Row], found: Dynamics) -> bool:
+    """Whether what let go would go into what it touched: with less friction, or more, it is pushed after all."""
+    size = max(map(abs, found.rates), default=0.0)
+    gaps = (sum([part * found.rates[k] for k, part in row.slope.items()]) - (row.bend or 0.0) for row in parted)
+    return any(gap < -1e-9 * size for gap in gaps)
 
 
 def met(model: Known, before: Placed, event: Event) -> Placed:

@@ -110,9 +110,11 @@ def coefficient_needed(body: BodyFacts, force: Force, search: Search) -> Formula
             press = solve_linear(
                 law.left - law.right, normal[0].name, order=search.solver.order, positive=search.solver.positive
             )
-            ratio = None if press is None else search.solver.simplify(search.solver.with_found(force.size) / press)
-            known = ratio is not None and not has_quantities(ratio) and length(ratio) <= SHORT
-            return ratio if known and ratio is not None and search.signs.sign(ratio) == 1 else None
+            if press is None or is_zero(press):  # in a horizontal plane nothing presses on what lies beside it
+                return None
+            ratio = search.solver.simplify(search.solver.with_found(force.size) / press)
+            known = not has_quantities(ratio) and length(ratio) <= SHORT
+            return ratio if known and search.signs.sign(ratio) == 1 else None
     return None
 
 

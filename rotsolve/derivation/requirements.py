@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from rotsolve.core.passage import Passage
     from rotsolve.derivation.letters import Letters
     from rotsolve.language.problem import State, TimeValue
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.search.search import Search
 
 Settling = Callable[[Formula], Formula | None]  # puts in what is known for the letters of the laws
@@ -268,10 +269,15 @@ def negative_margin(gap: Formula, search: Search, *, strict: bool = False) -> bo
 
 
 def concerns(owner: str, search: Search) -> bool:
-    """Whether the body that a requirement of an element is about takes part in the derivation."""
-    used = bodies_used(search)
-    item = next((item for item in search.scene.configuration.problem.connections if item.name == owner), None)
-    return item is None or any(ref.owner in used for ref in item.touches())
+    """Whether the body that a requirement of an element is about takes part in the derivation, by itself or as one with another."""
+    used, configuration = bodies_used(search), search.scene.configuration
+    item = next((item for item in configuration.problem.connections if item.name == owner), None)
+    return item is None or any(not used.isdisjoint(standing_for(ref.owner, configuration)) for ref in item.touches())
+
+
+def standing_for(name: str, configuration: Configuration) -> set[str]:
+    """A body, and those that stand for it at some state."""
+    return {name, *(configuration.host(name, state.name) for state in configuration.timeline.states)}
 
 
 def bodies_used(search: Search) -> set[str]:
@@ -287,7 +293,8 @@ def asked_after(need: Requirement, event: str, search: Search) -> bool:
     interval = timeline.interval(event)
     first = timeline.order[interval.end] if interval is not None else 0
     terms = [term for answered in search.answered for term in answered.asked.find.terms]
-    later = {term.path.owner for term in terms if timeline.order.get(term.at or term.end or "", -1) >= first}
+    owners = {term.path.owner for term in terms if timeline.order.get(term.at or term.end or "", -1) >= first}
+    later = owners.union(*(standing_for(name, search.scene.configuration) for name in owners))
     taking_part = {meeting.body.name for meeting in search.scene.encounters[event].meetings}
     return bool(search.scene.configuration.problem.sought) or not later.isdisjoint({"", need.owner, *taking_part})
 

@@ -23,11 +23,10 @@ from rotsolve.core.vectors.heading import (
     vector,
 )
 from rotsolve.elements.connections.lying import check_wheel
-from rotsolve.elements.shapes import rim_radius, rims
+from rotsolve.elements.shapes import rim_radius, rims, taken_round
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Action, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
-from rotsolve.language.shape import WHEEL
 
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
 
@@ -72,12 +71,9 @@ class AppliedForce(Action, frozen=True):
     def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
         """Not of what follows the turn, nor on a rim, whose names are directions in space."""
         on = self.on
-        if on is None or on.owner not in configuration.bodies or self.direction in SQUARE or self.over or self.under:
+        if on is None or self.direction in SQUARE or self.over or self.under:
             return ()
-        name, body = configuration.host(on.owner, state), configuration.bodies[on.owner]
-        rim = rim_radius(body, on.point) is not None and (on.point in WHEEL or on.point in rims(body))
-        place = PointRef(on.owner, "center") if rim else on
-        return (name,) if configuration.swings_round(place, state) else ()
+        return taken_round((on,), configuration, state)
 
     def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:
         """Square to an arm, with no way round said."""

@@ -189,7 +189,7 @@ class ActingElement(Element, frozen=True):
         return False
 
     def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
-        """Bodies on which it pulls in a direction that stays, at a point that goes round as they turn."""
+        """Bodies on which it pulls at a point that goes round as they turn, in a direction that does not turn with them."""
         return ()
 
     def along_turns(self) -> Iterator[tuple[Formula | None, PointRef]]:

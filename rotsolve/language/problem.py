@@ -324,14 +324,20 @@ def before(state: str, problem: Problem) -> Problem | None:
     phases = tuple(phase for phase in problem.phases if phase.without or {phase.start, phase.end} <= kept)
     ends = [*(event.to for event in problem.events), *(phase.end for phase in phases)]
     ends += [name for action in problem.actions for name in (action.from_, action.to) if name is not None]
-    spans: dict[str | None, tuple[str | None, ...]]
-    spans = {event.name: (event.from_, event.to) for event in problem.events}
-    spans |= {phase.name: (phase.start, phase.end) for phase in problem.phases}
-    finds = tuple(find for find in problem.finds if asked_within(find, kept, spans))
+    finds = asked_before(names.index(state) if state in names else 0, problem)
     if not kept or not finds or not kept.issuperset(ends):
         return None
     states = tuple(item for item in problem.states if item.name in kept)
     return replace(problem, states=states, phases=phases, finds=finds)
+
+
+def asked_before(place: int, problem: Problem) -> tuple[Find, ...]:
+    """The questions that speak of some of the first states alone, so many, or of what is between them."""
+    states = {item.name for item in problem.states[:place]}
+    spans: dict[str | None, tuple[str | None, ...]]
+    spans = {event.name: (event.from_, event.to) for event in problem.events}
+    spans |= {phase.name: (phase.start, phase.end) for phase in problem.phases}
+    return tuple(find for find in problem.finds if asked_within(find, states, spans))
 
 
 def asked_within(find: Find, states: Collection[str], spans: Mapping[str | None, tuple[str | None, ...]]) -> bool:

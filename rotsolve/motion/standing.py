@@ -302,12 +302,14 @@ class Standing(Struct, frozen=True, dict=True):
         return any(ref.owner in carried for item in self.configuration.connections(self.state) for ref in item.winds())
 
     def leant_on(self, name: str) -> bool:
-        """Whether something pulls on a body in a direction that stays while the arm turns with it, from one state to another."""
+        """Whether something pulls on a body in a direction that does not turn with the arm, from one state to another; the angle of a rod
+        that weighs is always looked at."""
         configuration = self.configuration
-        several = len(configuration.timeline.states) > 1
-        return several and any(
-            name in item.leans(configuration, self.state) for item in configuration.actions(self.state)
-        )
+        if len(configuration.timeline.states) < 2:
+            return False
+        rod = configuration.heavy and shape_of(self.body(name)).slender
+        items = configuration.actions(self.state) if rod else configuration.acting(self.state)
+        return any(name in item.leans(configuration, self.state) for item in items)
 
     def carries_round(self, name: str) -> bool:
         """Whether from one state to another a body takes along, round the point about which it turns, a joint with another."""
@@ -330,7 +332,8 @@ class Standing(Struct, frozen=True, dict=True):
         if self._asks_within(carried) and configuration.pivot(name, self.state) is None:
             return configuration.can_turn(name, self.state)
         terms = [term for find in configuration.problem.finds for term in find.terms]
-        paths = [term.path for term in terms if term.path.owner in carried and self._turns_with(term.path, name)]
+        turning = [term for term in terms if term.path.owner in carried and self._turns_with(term.path, name)]
+        paths = [term.path for term in turning]
         asked = [PointRef(path.owner, path.point, path.argument) for path in paths]
         whose = (*carried, "")  # all together have an angular momentum about a point too
         asked += [
@@ -341,7 +344,7 @@ class Standing(Struct, frozen=True, dict=True):
             for state in configuration.timeline.states
             for item in carried
         )
-        told |= self._time_passes() and any(path.component is not None for path in paths)
+        told |= self._time_passes() and any(term.path.component or term.modifier == "mean" for term in turning)
         if self._asks_of_joint(name, carried):
             return True
         unknown = self.frame(name).cm.parts and not shape_of(self.body(name)).slender and not told

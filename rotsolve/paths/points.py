@@ -27,11 +27,14 @@ class OfPoints(AtInstant, frozen=True):
     """Reads paths of points at one instant."""
 
     def at_point(self, path: Path) -> bool:
-        """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
+        """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point, or is joined off the
+        centre of what turns."""
         if path.quantity not in OF_POINTS or path.point is not None or path.component in NATURAL:
             return path.quantity in OF_POINTS
         motion = self.instant.motion(path.owner)
-        return motion.kind != "line" or (motion.turns and self.instant.host(path.owner) != path.owner)
+        if motion.kind != "line":
+            return True
+        return motion.turns and self.instant.host(path.owner) != path.owner and bool(self._arm(path).parts)
 
     def motion_of(self, path: Path) -> Meaning:
         """Velocity or acceleration of a point: as a vector with its size, or a component."""

@@ -62,7 +62,7 @@ class LawChoice(Struct, frozen=True, dict=True):
         if (
             self.momentary and self.families[0] == NEWTON and not self.spare
         ):  # behind a law asked for they only help out
-            laws = self._of_families(self._first_choice(), ("", NEWTON))
+            laws = self._of_families(self._first_choice(), ("", NEWTON)) + self._telling_angles()
             plan = self._from(laws)
             if plan is not None:
                 return plan if self.forces_asked else self._leaner(plan, laws)
@@ -87,6 +87,14 @@ class LawChoice(Struct, frozen=True, dict=True):
 
     def _of_families(self, indices: Iterable[int], families: Collection[str]) -> list[int]:
         return [index for index in indices if self.planner.pool[index].family in families]
+
+    def _telling_angles(self) -> list[int]:
+        """The equations between two states by which alone an angle is told: no forces are needed for it, whose roots may be others."""
+        return [
+            index
+            for index in self._of_families(self._first_choice(), (KINEMATICS,))
+            if len(self._unknowns[index]) == 1 and of_kinds(self._unknowns[index], ("angle",))
+        ]
 
     def _first_choice(self) -> list[int]:
         return [index for index in self.allowed if self.planner.pool[index].cost < SECOND_CHOICE]

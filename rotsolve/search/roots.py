@@ -142,6 +142,8 @@ class RootChoice(Struct, frozen=True):
             return reached
         fits, words = self._expected(name)
         fitting = [entry for entry in real if fits(roots[entry[0]]) == 1]
+        if len(fitting) > 1 and (sooner := self._soonest(name, [(k, roots[k]) for k, _ in fitting])) is not None:
+            return sooner
         if fitting:
             return PickedRoot(self._smallest(fitting, roots), words, guessed=len(fitting) > 1)
         if self._is_angle(name):
@@ -226,6 +228,17 @@ class RootChoice(Struct, frozen=True):
                 worth = value
                 break
         return lambda value: sign * (self.numbers.side(worth.substitute({name: value})) or 0), words
+
+    def _soonest(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
+        """Of several roots of a letter that tells a time, as a mean velocity does, that of the first one; None where it tells none."""
+        quantities = self.scene.registry.quantities
+        for letter, value in self._led_by(name):
+            times = [(self.numbers.of(value.substitute({name: root})), k) for k, root in roots]
+            known = [(time, k) for time, k in times if time is not None]
+            if letter in quantities and quantities[letter].kind == "time" and len(known) == len(times):
+                decided_by_size()
+                return PickedRoot(min(known)[1], ("the first time",))
+        return None
 
     def _led_by(self, name: str) -> list[tuple[str, Formula]]:
         """The letters for which one stands that are found by it, or the only one that is not found, each with what it is by it."""

@@ -49,17 +49,14 @@ if TYPE_CHECKING:
     from rotsolve.equations.normal_modes import Spectrum
     from rotsolve.questions.functions_of_time import Beside
 
-STONES_TRIED = 3  # letters of a scene that may have to be settled before an answer
+# letters of a scene that may have to be settled before an answer; of those that numbers alone tell
+STONES_TRIED, NUMBERED_STONES_TRIED = 3, 2
 # lines that a refusal may propose, tried for all questions together; where what rubs makes that slow
 HELPS_TRIED, FEW_HELPS = 8, 2
 INDEPENDENT = 2  # of the equations of steady acceleration about one motion
 SHORT = 12  # nodes of what has been found for a letter on the way, which is then taken as it stands
 TURN = 2 * PI
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
-STONES = {
-    kind: rank
-    for rank, kind in enumerate(("angle", "velocity", "angular_velocity", "time", "displacement", "rotation"))
-}
 
 
 class Ground:
@@ -86,7 +83,7 @@ class Ground:
         self.known = {given.name for given in problem.givens if not given.asked} | running
         self.running = frozenset(running | {swing.coordinate.name for swing in scene.swings.values()})
         self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
-        self.stones_left = STONES_TRIED
+        self.stones_left, self.numbered_stones_left = STONES_TRIED, NUMBERED_STONES_TRIED
         self.helps_left = FEW_HELPS if scene.modes else HELPS_TRIED
         self._order: tuple[str, ...] = ()
         self._ordered = -1
@@ -355,19 +352,32 @@ class Search(Struct, dict=True):
         except NoAnswer as error:
             if self.confirming or error.equation is not None:
                 raise
-            clashes: list[int] = []
-            stone = next((name for name in error.met if self._leads(name, asked, clashes)), None)
-            if stone is not None:
-                self.step(stone)
-                own = len(self.solver.steps)
-                return *self._attempt(asked), own
-            if clashes and not error.open_form:
-                raise NoAnswer("the data contradict each other", None, clashes[0]) from None
-            if not error.open_form:
-                raise
+            failed = error
+        from rotsolve.search.stones import Stones
+
+        stones = Stones(self, asked)
+        stone = stones.in_closed_form(failed.met)
+        if stone is None and stones.clashes and not failed.open_form:
+            raise NoAnswer("the data contradict each other", None, stones.clashes[0]) from None
+        if not stones.asked_for:  # what follows from a rate might be told by another root than that of the rate
+            stone = stone or stones.by_number()
+        if stone is None and failed.open_form:
+            try:
+                return *self._attempt_by_number(asked), own
+            except NoAnswer as error:
+                failed = error
+        stone = stone or stones.by_number()
+        if stone is None:
+            raise failed
+        self.step(stone)
+        own = len(self.solver.steps)
+        return *self._attempt(asked), own
+
+    def _attempt_by_number(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
+        """Plan and solve, where numbers may tell the root of the last equation."""
         self.solver.numeric = True
         try:
-            return *self._attempt(asked), own
+            return self._attempt(asked)
         finally:
             self.solver.numeric = False
 
@@ -436,29 +446,9 @@ class Search(Struct, dict=True):
             raise NoAnswer("the data contradict each other", None, problem.index)
         open_form = isinstance(problem, (NoClosedForm, Undefined))
         words = str(problem) if open_form else "too little is known"
-        raise NoAnswer(words, open_, open_form=open_form and rooted, met=stones(met, asked.letter))
+        from rotsolve.search.stones import ranked
 
-    def _leads(self, stone: str, asked: Asked, clashes: list[int]) -> bool:
-        """Whether a question has an answer once a letter of its plans is settled first; leaves no trace but the law that lets the letter
-        have no value."""
-        assert self.ground is not None
-        if self.ground.stones_left == 0:
-            return False
-        self.ground.stones_left -= 1
-        other = self.another(self.families, spare=self.spare, confirming=True)
-        other.solver.solved.update(self.solver.solved)
-        other.known |= self.known
-        other.retired |= self.retired
-        try:
-            other.step(stone)
-            other.answer(asked)
-        except NoAnswer as error:
-            clash = None if error.equation is None else other.planner.pool[error.equation]
-            clashes += [index for index, law in enumerate(self.planner.pool) if law == clash]
-            return False
-        except ValueError:
-            return False
-        return True
+        raise NoAnswer(words, open_, open_form=open_form and rooted, met=ranked(met, asked.letter))
 
     def _hardest(self, plan: Plan) -> int:
         """The equation of a plan to do without: one of several that say the same, one with roots or bars round unknowns, the dearest."""
@@ -592,9 +582,3 @@ def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
     letters = [travel.coordinate for travel in travels if travel.pace == POSITION]
     letters += [travel.moving for travel in travels if travel.leads and travel.pace == RATE]
     return {letter.name for letter in letters if isinstance(letter, Symbol) and key_of(letter.name).running}
-
-
-def stones(met: Iterable[str], asked: str) -> tuple[str, ...]:
-    """The letters of plans by which an answer may be reached: where bodies are, how fast they move, and when, then all else."""
-    ranked = sorted(name for name in met if is_key(name) and name != asked)
-    return tuple(sorted(ranked, key=lambda name: STONES.get(key_of(name).kind, len(STONES))))

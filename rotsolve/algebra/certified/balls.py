@@ -34,7 +34,7 @@ Values = Mapping[str, Formula | Fraction | int]
 # the parts of an integrand by their identities, each with what it is at all places, None where it hangs on the place
 Steady = dict[int, tuple[Formula, Ball | None]]
 
-PLACES_A_STEP = 8  # at which an integrand is evaluated
+PARTS_A_STEP = 120  # of an integrand, each as often as it is evaluated
 
 
 class Undefined(ValueError):
@@ -93,7 +93,7 @@ class RealBalls:
         self.memo: dict[str, Ball] = dict(bound or {})
         self.calls: dict[Call, Ball] = {}  # a closed form holds the same ones many times
         self.open: set[str] = set()
-        self.evaluated = 0  # how often integrands have been
+        self.worked = 0  # parts of integrands that have been evaluated and are not yet counted as steps
         self.steady: dict[str, Steady] = {}  # by the letter that is not
         self.is_zero = is_zero
         self.clip = clip
@@ -208,12 +208,7 @@ class RealBalls:
         return arb.atan2(y, x)
 
     def integral(self, node: Integral) -> Ball:
-        before = self.evaluated
-        found = self._integral(node)
-        exert(1 + (self.evaluated - before) // PLACES_A_STEP)
-        return found
-
-    def _integral(self, node: Integral) -> Ball:
+        exert(1)
         from rotsolve.algebra.certified.turning import integral_to_rest
 
         turning = integral_to_rest(node, self)
@@ -225,6 +220,13 @@ class RealBalls:
         from rotsolve.algebra.certified.complexballs import certified_integral
 
         return certified_integral(node, lower, upper, self)
+
+    def work(self, parts: int) -> None:
+        """Count the parts of an integrand at one of its places: one that does not converge is not gone on with for long."""
+        self.worked += parts
+        if self.worked >= PARTS_A_STEP:
+            steps, self.worked = divmod(self.worked, PARTS_A_STEP)
+            exert(steps)
 
     def without_size(self, node: Integral, lower: Ball, upper: Ball) -> Formula | None:
         """The integrand with ±x for |x|, at whose kink no rule for smooth ones gets past; None where the sign of x may change."""

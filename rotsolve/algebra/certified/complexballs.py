@@ -7,7 +7,7 @@ from functools import reduce
 from operator import add, mul
 
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Steady, Undefined
-from rotsolve.algebra.certified.turning import work_limit
+from rotsolve.algebra.certified.turning import integrated, work_limit
 from rotsolve.algebra.flints import acb, arb
 from rotsolve.algebra.formula import (
     ELLIPTIC,
@@ -35,7 +35,7 @@ class ComplexBalls:
 
     def __init__(self, outer: RealBalls, bound: Mapping[str, Ball], analytic: bool, steady: Steady) -> None:
         self.outer = outer
-        outer.evaluated += 1
+        outer.work(len(steady))
         self.bound = bound
         self.analytic = analytic
         self.steady = steady
@@ -103,4 +103,4 @@ def certified_integral(node: Integral, lower: Ball, upper: Ball, outer: RealBall
         return ComplexBalls(outer, {node.variable: z}, analytic, steady)(node.integrand)
 
     sharp = all(end.is_exact() or end.rel_accuracy_bits() >= SHARP for end in (lower, upper))
-    return acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit() if sharp else ROUGHLY).real
+    return integrated(integrand, acb(lower), acb(upper), work_limit() if sharp else ROUGHLY)

@@ -6,6 +6,7 @@ q = r/(x − e) is enclosed by the derivative of r between x and e (mean value t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, Protocol
 
@@ -85,7 +86,25 @@ def _from_end(node: Integral, inside: Formula, end: Formula, other: Formula, bal
                 quotient = divided
         return 2 * way / (way * quotient).sqrt(analytic=analytic)
 
-    return acb.integral(integrand, acb(0), acb(1), eval_limit=work_limit()).real
+    return integrated(integrand, acb(0), acb(1), work_limit())
+
+
+def integrated(integrand: Callable[[Ball, bool], Ball], lower: Ball, upper: Ball, limit: int) -> Ball:
+    """The certified integral of a function of a complex ball, which is asked no more than so often; raises what that raises first."""
+    raised: list[Exception] = []
+
+    def guarded(place: Ball, analytic: bool) -> Ball:  # the integration goes on after an exception, and loses it
+        if not raised:
+            try:
+                return integrand(place, analytic)
+            except Exception as error:
+                raised.append(error)
+        return acb(arb.nan())
+
+    found = acb.integral(guarded, lower, upper, eval_limit=limit).real
+    if raised:
+        raise raised[0]
+    return found
 
 
 def work_limit() -> int:

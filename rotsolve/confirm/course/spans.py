@@ -52,7 +52,11 @@ def displaced(span: Between, term: Term) -> Reckoned:
         way = (way[0] + after[0] - before[0], way[1] + after[1] - before[1])
     line = first.line(path.owner) if path.point is None else None
     circle = first.orbit_centre(path.owner) if path.point is None else None
-    if circle is not None and path.component is None:
+    led = line is not None and last.line(path.owner) not in (
+        line,
+        None,
+    )  # along another line since something on the way
+    if (circle is not None or led) and path.component is None:
         return span.sum(lambda at: scalar(rates(point_place(at, path.owner, "cm")), at.line(path.owner) or (0.0, 0.0)))
     if line is not None and path.component is None:
         return number(scalar(way, line), math.hypot(*way))

@@ -9,7 +9,7 @@ from rotsolve.core.facts import GUIDE, Force, Rule
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, LEFT, Direction, Heading, along_text, heading, opposite, pointing, unit
 from rotsolve.core.writing import spoken
-from rotsolve.elements.shapes import rims, shape_of
+from rotsolve.elements.shapes import rims, shape_of, taken_round
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import key
@@ -103,6 +103,9 @@ class PinSlot(Connection, frozen=True):
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
+
+    def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
+        return taken_round(self.slot, configuration, state)
 
     def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
         """Across a slot that does not turn, of the body with the pin or with the slot: that of the other's point."""

@@ -12,7 +12,7 @@ from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, squar
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between, rightward
-from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes import shape_of, taken_round
 from rotsolve.language.bodies import Body, PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -63,6 +63,9 @@ class Spring(Connection, frozen=True):
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
+
+    def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
+        return taken_round(self.spring, configuration, state)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         first, second = self.ends(instant)
@@ -158,7 +161,7 @@ class Torsion(Connection, frozen=True):
         "points", "the body, or two bodies", count=(1, 2), required=True, example="disc"
     )
     stiffness: Formula | None = amount("torque per angle", "torsional stiffness", "kappa", "positive", default=None)
-    rest_angle: Formula | None = amount("angle without torque", "angle", "theta", default=None)
+    rest_angle: Formula | None = amount("angle without torque, 0 where none is told", "angle", "theta", default=None)
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """It always has a stiffness; that of an ordinary spring may be told by its force."""

@@ -13,7 +13,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector, along_text, opposite
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.routing import Leg, Routing
-from rotsolve.elements.shapes import round_part
+from rotsolve.elements.shapes import round_part, taken_round
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
@@ -164,6 +164,12 @@ class String(Connection, frozen=True):
                 if configuration.pivot(host, state) is None or off:
                     return "position"
         return "constant"
+
+    def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
+        """Not on what it winds on."""
+        bodies = configuration.bodies
+        ends = (ref for ref in self.string if ref.owner in bodies and not round_part(bodies[ref.owner], ref.point))
+        return taken_round(ends, configuration, state)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """A tension for each strand, its pulls on the bodies, and the rule that the strand keeps its length."""

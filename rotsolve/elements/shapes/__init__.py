@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.elements.shapes.thin import Particle as Particle
@@ -10,6 +13,9 @@ from rotsolve.language.shape import WHEEL as WHEEL
 from rotsolve.language.shape import Bow as Bow
 from rotsolve.language.shape import Place as Place
 from rotsolve.language.shape import Shape as Shape
+
+if TYPE_CHECKING:
+    from rotsolve.language.elements import Surroundings
 
 PARTICLE = Particle()
 
@@ -44,6 +50,18 @@ def abscissa_of(body: Body, ref: PointRef) -> Formula:
 def rims(body: Body) -> dict[str, Formula]:
     """The named rims of a body with their radii: those of `radii`, its own or its shape's, about its centre."""
     return {**dict(getattr(shape_of(body), "radii", ())), **dict(body.radii)}
+
+
+def fixed_in(ref: PointRef, body: Body) -> PointRef:
+    """A point that turns with a body: for a place on its rim, whose names are directions in space, its centre."""
+    on_rim = rim_radius(body, ref.point) is not None and (ref.point in WHEEL or ref.point in rims(body))
+    return PointRef(ref.owner, "center") if on_rim else ref
+
+
+def taken_round(refs: Iterable[PointRef], scene: Surroundings, state: str) -> tuple[str, ...]:
+    """The bodies that take some points with them round those about which they turn at a state."""
+    places = (fixed_in(ref, scene.bodies[ref.owner]) for ref in refs if ref.owner in scene.bodies)
+    return tuple(scene.host(ref.owner, state) for ref in places if scene.swings_round(ref, state))
 
 
 def round_part(body: Body, point: str | None) -> Part | None:
