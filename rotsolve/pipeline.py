@@ -315,7 +315,7 @@ def solved_as_far(problem: Problem, law: str | None, digits: int, at: str | None
             raise
         with suppress(Unsolvable):
             solution = solved_as_far(early, law, digits, at)
-            objection = Check((error.fault.message.replace("`", ""), f": {error.fault.help}"), holds=False)
+            objection = Check((error.fault.message.replace("`", ""), f": {error.fault.help}"), holds=False, beyond=True)
             told = replace(solution.derivation, checks=(*solution.derivation.checks, objection))
             return replace(solution, problem=problem, derivation=told)
         raise

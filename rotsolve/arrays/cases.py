@@ -98,7 +98,8 @@ def case_of_set(solve: Resolving, given: GivenSets, place: int, limits: Iterable
     if found.solution is None:
         return case
     derivation = found.solution.derivation
-    case.why = "; ".join(plain_text(check.words) for check in derivation.checks if check.holds is False)
+    objections = (check for check in derivation.checks if check.holds is False and not check.beyond)
+    case.why = "; ".join(plain_text(check.words) for check in objections)
     case.reasons.update({item.name: item.fault.message for item in derivation.refused})
     if not case.why:
         for name, answer in single_answers(derivation.answers):

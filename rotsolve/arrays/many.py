@@ -154,6 +154,13 @@ class Sets(Struct):
         return ManyAnswers(found, self.reasons, {name: unit.text if unit else "" for name, unit in self.units.items()})
 
 
+def real_numbers(name: str, column: Any) -> Any:
+    """The numbers of a given; what an array masks is none. Raises NotForMany for complex ones."""
+    if np.iscomplexobj(column):
+        raise NotForMany(f"`{name}` has complex numbers")
+    return column.astype(float).filled(math.nan) if isinstance(column, np.ma.MaskedArray) else column
+
+
 def answers_of_sets(solution: Solution, values: Mapping[str, Any], certified: bool) -> ManyAnswers:
     """The answers to all sets of values; NotForMany where none has one. Of arrays of dask they are such arrays, made piece by piece."""
     if any(type(item).__module__.startswith("dask.") for item in values.values()):

@@ -195,7 +195,8 @@ class Check(Struct, frozen=True):
 
     What is said of a letter that is `vanishing` goes for a case that holds however small it is, of one that is `growing` however large.
     What is a `limit` stands by itself. A second way goes by a `law` of FAMILIES; what is `bare` says that all agrees, and
-    shows nothing of it. `more` says that letters have more cases, which are not worked out.
+    shows nothing of it. `more` says that letters have more cases, which are not worked out. An objection that is `beyond` is about
+    what comes after all that the answers tell, and says nothing against them.
     """
 
     words: Words
@@ -207,6 +208,7 @@ class Check(Struct, frozen=True):
     law: str = ""
     bare: bool = False
     more: bool = False
+    beyond: bool = False
 
 
 class AnswerConfirmation(Struct, frozen=True):

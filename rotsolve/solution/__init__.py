@@ -234,17 +234,19 @@ class Solution(Struct, frozen=True, dict=True, eq=False):
         Givens that are left out keep their values. Each set gets what solving the scene for it gives: the arrays, by the answers' names
         and in their units, hold NaN where that is no number, and `reasons` of what comes back says why. `certified` gives pairs of arrays,
         values and bounds on their errors. Arrays of dask give arrays of dask. `as_decided` takes the closed forms of this solution for all
-        sets, without a look at what its numbers have decided. Raises NotForMany where no set has an answer, or a name is that of no given.
+        sets, without a look at what its numbers have decided. A table of pandas does for `values`, its columns being the givens. Raises
+        NotForMany where no set has an answer, a name is that of no given, or numbers are complex.
         """
         from rotsolve.arrays import NotForMany
 
         if self.trace.anew is None or self.trace.validity is None:
             raise NotForMany("how the answers were found is not known: solve the scene again")
         try:
-            from rotsolve.arrays.many import answers_as_decided, answers_of_sets
+            from rotsolve.arrays.many import answers_as_decided, answers_of_sets, real_numbers
         except ModuleNotFoundError:
             raise missing_package("arrays take", "NumPy", "arrays") from None
-        return (answers_as_decided if as_decided else answers_of_sets)(self, values, certified)
+        own = {name: real_numbers(name, values[name]) for name in values}
+        return (answers_as_decided if as_decided else answers_of_sets)(self, own, certified)
 
     @cached_property
     def cases(self) -> dict[frozenset[str], list[Any]]:

@@ -169,3 +169,26 @@ def test_arrays_of_dask_are_worked_out_piece_by_piece() -> None:
     assert values.compute().shape == bounds.compute().shape == (20,)
     with pytest.raises(NotForMany, match="no given `q`"):
         solution.evaluate_many({"q": array.ones(3)})
+
+
+def test_a_question_without_an_answer_takes_no_other_with_it() -> None:
+    """What is asked of a state that is never reached has no answer; what is asked before it has the one that solving gives."""
+    file = PROBLEMS / "angular-momentum" / "projectile-into-rod.yaml"
+    many = solve(file).evaluate_many({"v": [100, 70]})
+    alone = solve(file, settings={"v": "70 m/s"})
+    assert list(alone.refused) == ["omega_top"]
+    for name, answer in alone.items():
+        assert many[name][1] == pytest.approx(answer.float) and many.reasons[name][1] == ""
+    assert np.isnan(many["omega_top"][1]) and "never reached" in many.reasons["omega_top"][1]
+    assert np.isfinite([column[0] for column in many.values()]).all()
+
+
+def test_tables_and_arrays_of_other_kinds() -> None:
+    pandas = pytest.importorskip("pandas")
+    solution = solve(PROBLEMS / "pulleys" / "block-on-disc.yaml")
+    plain = solution.evaluate_many({"m": [1.0, 2.0], "M": [3.0, 4.0]})["a"]
+    assert (solution.evaluate_many(pandas.DataFrame({"m": [1, 2], "M": [3, 4]}))["a"] == plain).all()
+    masked = solution.evaluate_many({"m": np.ma.array([1, 2], mask=[False, True])})["a"]
+    assert np.isfinite(masked[0]) and np.isnan(masked[1])
+    with pytest.raises(NotForMany, match="`m` has complex numbers"):
+        solution.evaluate_many({"m": np.array([1 + 2j])})

@@ -15,6 +15,7 @@ from rotsolve.grading.course.questions import SheetTask, Task
 from rotsolve.grading.course.table import read_table
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target
+from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.matrices import read_matrix
 from rotsolve.grading.reading.records import AnswerError, Names
@@ -68,7 +69,7 @@ def wrong_numbers(numbers: list[float], target: Target) -> Iterator[list[float]]
 @pytest.mark.parametrize("file", PROBLEMS, ids=lambda file: file.stem)
 def test_published_answers_are_right_and_their_likes_wrong(file: Path) -> None:
     solution = solved(file)
-    judge = Judge(solution, lambda: ())  # type: ignore[arg-type, return-value]  # what mistakes give has tests of its own
+    judge = Judge(solution, lambda: WrongAnswers(iter(())))  # what mistakes give has tests of its own
 
     def outcome(name: str, text: str) -> str:
         marked = judge.mark(Paper("one", {name: text}))

@@ -15,7 +15,7 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.grading.comparing.equality import FreeLetter, Region, SampledRegion
 from rotsolve.grading.comparing.here import same_in
 from rotsolve.grading.marking.judge import Judge
-from rotsolve.grading.mistakes import table
+from rotsolve.grading.mistakes import wrong_answers
 from rotsolve.grading.mistakes.wrong_answers import WrongAnswers
 from rotsolve.grading.reading.near import near_letters
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Marked, Paper
@@ -284,19 +284,19 @@ def test_the_search_for_mistakes_ends_with_its_work(monkeypatch: pytest.MonkeyPa
     assert found[0] == 0 < found[60] < found[20_000] == len(whole)
     assert mistakes_with(60, monkeypatch) == mistakes_with(60, monkeypatch)
     assert Purse.left is None
-    monkeypatch.setattr(table, "STEPS", 0)
+    monkeypatch.setattr(wrong_answers, "STEPS", 0)
     one = Judge(solve(PROBLEMS / "pulleys/atwood.yaml")).mark(Paper("one", {"a": "g (m2 - m1)/(m1 + m2)"})).parts[0]
     assert (one.verdict.outcome, one.verdict.remarks) == (WRONG, ())
 
 
 def mistakes_with(steps: int, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     with monkeypatch.context() as patched:
-        patched.setattr(table, "STEPS", steps)
+        patched.setattr(wrong_answers, "STEPS", steps)
         return mistakes()
 
 
 def test_no_more_than_so_many_mistakes_are_tried(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(table, "MOST_TRIED", 3)
+    monkeypatch.setattr(wrong_answers, "MOST_TRIED", 3)
     assert 0 < len(mistakes()) <= 3
 
 

@@ -11,8 +11,8 @@ Rules that are not obvious:
 - names win over functions and constants: with `pi` in the table, `pi` is a symbol.
 
 With forks, what is refused without them is read in every way that makes sense, which one by one the forks choose:
-- what follows a slash without a mark: `mg/2k` is mg/(2k) or (mg/2) k, `1/2mv^2` (1/2) m v² or 1/(2mv²); what stands close together
-  belongs together, save behind a fraction of two numbers;
+- what follows a slash without a mark: `mg/2k` is mg/(2k) or (mg/2) k; what stands close together belongs together. A function does
+  not go into the denominator, `g/2L sin θ`, and nothing does behind a fraction of two numbers, `1/2mv^2`, but for π, `1/2π`;
 - the argument of a function without brackets: `sin 2θ/3`, `sin ωt`, `√3g/L`, `sin θ^2`;
 - an exponent without brackets: `e^-kt`, `x^1/2`;
 - `sin^-1 x` is arcsin x or 1/sin x.
@@ -133,13 +133,14 @@ class Parser(Cursor):
             if self.vocabulary.strict and not plain:
                 raise self.two_ways(slash.start, self.token.end, "brackets")
             return False
-        function, close = self.at_function(), self.tight()
-        if len(below) > 1 and close and not function:
-            return True
+        if self.at_function():
+            return False
+        close = self.tight()
         if len(below) == 1 and not close and self.tokens[self.index - 1].kind in (")", "]"):
             return False  # a/(b) c has its bracket
-        fraction = isinstance(numerator, Number) and isinstance(below[0], Number)
-        return self.forks.choose(not fraction and not function and (close or first.start > slash.end))
+        if len(below) == 1 and below[0] != PI and not numerator.symbols() and not below[0].symbols():
+            return close and self.token.kind == "constant" and self.forks.choose(False)
+        return (len(below) > 1 and close) or self.forks.choose(close or first.start > slash.end)
 
     def signed_factor(self) -> Formula:
         return self.signed(self.signed_factor) if self.token.kind in ("+", "-") else self.factor()

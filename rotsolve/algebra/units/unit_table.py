@@ -79,8 +79,8 @@ class Unit(Struct, frozen=True):
 
     @property
     def of_turns(self) -> Unit:
-        """A unit of angular velocity that counts turns, as one of frequency: 1 rev/s is 1 Hz, where the angle is 2π rad."""
-        return Unit(self.text, self.scale / 2, self.pi_power - 1, FREQUENCY)
+        """A unit of an angle or of angular velocity as one of turns or of frequency: 2π rad are one, 1 rev/s is 1 Hz."""
+        return Unit(self.text, self.scale / 2, self.pi_power - 1, NONE if self.dimension == ANGLE else FREQUENCY)
 
     def after(self, number: str) -> str:
         """The number with its unit: `2 kg`, `30°`, `5`."""

@@ -8,15 +8,28 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
-from itertools import islice, product
+from itertools import combinations, islice, product
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.formula import Call, Formula, Negative, Number, Sum, Symbol
 from rotsolve.algebra.units.dimension import DimensionError, describe, dimension_of
-from rotsolve.grading.comparing.numbers import Typed, certified_number
-from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, right_but_for_sign, turns_round, value_judged
-from rotsolve.grading.comparing.signs import points_other_way
+from rotsolve.grading.comparing.numbers import HALF, Typed, certified_number, is_near
+from rotsolve.grading.comparing.scalars import (
+    Same,
+    Scalar,
+    is_turned_by,
+    lacking_unit,
+    of_its_way,
+    pointing_judged,
+    right_but_for_sign,
+    too_few,
+    turns_round,
+    value_judged,
+)
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, found, listed_letters
 from rotsolve.language import marks
 
@@ -25,6 +38,10 @@ ROUNDED = 1 / 400  # the share by which a number put in for a letter may differ 
 MOST_WAYS = 32  # in which the numbers of a formula may be letters
 MOST_PLACES = 40  # of a decimal that may be rounded
 LEAST = 2  # figures of a number that may be rounded
+NEARLY = 1e-12  # the share by which equal numbers may differ in floats
+MOST_BITS = 500  # of precision in which two formulas are told apart by their numbers
+MOST_PUT_IN = 2  # letters of a formula that are named by trying which of them make it right
+NUMBERS_ALONE = "numbers alone"  # the kind of a remark on what is equal for the scene's own numbers only
 EXACTLY = Fraction(1, 10**15)  # the share within which formulas with numbers put in are equal
 
 
@@ -115,10 +132,12 @@ def formula_judged(formula: Formula, direction: str, asked: Scalar, *, measured:
     """The finding for a formula with the direction that words behind it tell; `measured` says that units in it tell what it measures, and
     that this is what is asked for."""
     if not (direction and asked.direction):
-        return undirected_judged(formula, asked, measured)
-    turned = points_other_way(direction, asked.direction)
-    if turned is None:
-        return found(WRONG, "direction", f"it points another way: {asked.direction}")
+        finding = undirected_judged(formula, asked, measured)
+        return of_its_way(finding, direction, asked) if finding.right else finding
+    other = pointing_judged(direction, asked)
+    if other is not None:
+        return other
+    turned = is_turned_by(direction, asked)
     number = certified_number(formula, asked.values)
     if number is not None and asked.value is not None and turns_round(number.float < 0, asked.value, turned):
         formula = -formula
@@ -145,9 +164,15 @@ def undirected_judged(formula: Formula, asked: Scalar, measured: bool) -> Findin
     partly = partly_numeric(formula, asked, fits=not misfit, measured=measured)
     if partly is not None or misfit:
         return partly or found(WRONG, "dimension", misfit)
+    multiple = multiple_judged(formula, asked)
+    if multiple is not None:
+        return multiple
     if asked.same(-formula, asked.closed) or partly_numeric(-formula, asked, fits=True) is not None:
         return right_but_for_sign(asked)
-    return Finding(WRONG)
+    worth = equal_by_numbers(formula, asked)
+    if worth is None and equal_by_numbers(-formula, asked) is not None:
+        return right_but_for_sign(asked)
+    return worth or Finding(WRONG)
 
 
 def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool, measured: bool = False) -> Finding | None:
@@ -155,8 +180,11 @@ def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool, measured: boo
 
     One that does not measure what is asked (`fits`) has lost the units of its numbers.
     """
-    finding = put_in_for_letters(formula, asked, fits, measured) or put_in_beside(formula, asked)
-    return finding if finding is None or fits else lacking_unit(finding, asked.unit, asked)
+    if fits:
+        return put_in_for_letters(formula, asked, fits, measured) or put_in_beside(formula, asked)
+    beside = put_in_beside(formula, asked)  # m (9.81 − a): what stands for g says what it is
+    finding = None if beside is not None else put_in_for_letters(formula, asked, fits, measured)
+    return beside if finding is None else lacking_unit(finding, asked.unit, asked)
 
 
 def put_in_for_letters(formula: Formula, asked: Scalar, fits: bool, measured: bool) -> Finding | None:
@@ -187,12 +215,67 @@ def is_near_answer(formula: Formula, asked: Scalar, share: Fraction) -> bool:
     return abs(number.float - value.float) <= share * abs(value.float)
 
 
+def equal_by_numbers(formula: Formula, asked: Scalar) -> Finding | None:
+    """The finding for a formula of givens that is another in letters, but worth exactly what is asked: 5/4 M g where M = 2 m; else None.
+
+    Other answers may not stand in it: T = m a can be true of the numbers, and says something else than that they were put in.
+    """
+    closed = asked.closed
+    if closed is None or not formula.symbols() or not worth_the_same(formula, closed, asked.values):
+        return None
+    lacks = closed.symbols() - formula.symbols()
+    said = with_numbers(asked, letters_put_in(formula, closed, lacks, asked.values, asked.same))
+    return replace(said, remarks=tuple(replace(one, kind=NUMBERS_ALONE) for one in said.remarks))
+
+
+def worth_the_same(left: Formula, right: Formula, values: Mapping[str, Formula]) -> bool:
+    """Whether both sides have one value for the scene's own numbers: the same, or none that differs in some hundred digits."""
+    one, other = certified_number(left, values), certified_number(right, values)
+    if one is None or other is None or abs(one.float - other.float) > NEARLY * abs(other.float):
+        return False
+    try:
+        return bool(evaluate(left - right, values, max_precision=MOST_BITS).ball.contains(0))
+    except (Undefined, ZeroDivisionError):
+        return False
+
+
+def letters_put_in(
+    left: Formula, right: Formula, lacks: Iterable[str], values: Mapping[str, Formula], same: Same
+) -> tuple[str, ...]:
+    """The fewest letters with whose numbers, and those of what one side lacks, both sides are equal in all others."""
+    lacks, names = frozenset(lacks), sorted(left.symbols() & right.symbols())
+    for count in range(min(len(names), MOST_PUT_IN) + 1):
+        for chosen in combinations(names, count):
+            put = {name: values[name] for name in lacks.union(chosen)}
+            if put and same(left.substitute(put), right.substitute(put)):
+                return tuple(sorted(put))
+    return tuple(sorted(lacks.union(names)))
+
+
 def put_in_beside(formula: Formula, asked: Scalar) -> Finding | None:
     """The finding where a formula is right with letters in place of their numbers."""
     for meant, names in with_letters(formula, asked.numbers):
         if asked.closed is not None and not of_other_dimension(meant, asked) and asked.same(meant, asked.closed):
             return with_numbers(asked, names)
     return None
+
+
+def multiple_judged(formula: Formula, asked: Scalar) -> Finding | None:
+    """The finding for a decimal times letters, 0.343 g, that is the answer for the scene's own numbers: it is a number; else None."""
+    decimals = [value for value in numbers_in(formula) if decimal_places(value)]
+    if asked.value is None or len(decimals) != 1 or formula.holds(Sum, Call) or not formula.symbols():
+        return None
+    if not formula.symbols() <= asked.values.keys():
+        return None
+    decimal, places = decimals[0], decimal_places(decimals[0])
+    figures = len(str(int(abs(decimal) * 10**places)))
+    typed = Typed(formula.substitute(asked.values), figures)
+    finding = value_judged(typed, asked.si, "", asked)
+    margin = abs(HALF / (10**places * decimal)) * typed.value
+    if finding is None and is_near(typed, asked.in_unit(asked.si), margin=margin):
+        finding = too_few(figures)
+    said = found(RIGHT, "numbers", "a number for the scene's own values").remarks
+    return None if finding is None else replace(finding, remarks=(*said, *finding.remarks))
 
 
 def with_numbers(asked: Scalar, names: Iterable[str], *, rounded: bool = False) -> Finding:

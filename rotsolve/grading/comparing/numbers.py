@@ -36,6 +36,7 @@ BITS = 1600  # of precision in which they are compared
 FLOAT_BITS = 45  # of a ball that floats stand for
 FLOAT_DOUBT = 1e-12  # the share by which they may be off, with room to spare
 HALF = Fraction(1, 2)
+LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
 ALIKE = {  # units that are taken for one another
     ANGLE: ("rad", "°", "rev"),
     ANGULAR_VELOCITY: ("rad/s", "rev/s", "rpm", "°/s"),
@@ -44,11 +45,20 @@ ALIKE = {  # units that are taken for one another
 
 
 class Typed(Struct, frozen=True):
-    """A number as a student typed it: its value before the unit, its significant figures (None where it is exact), its unit."""
+    """A number as a student typed it: its value before the unit, its significant figures (None where it is exact), its unit.
+
+    `zeros` at the end of a whole number are figures that need not count.
+    """
 
     value: Formula
     figures: int | None = None
     unit: Unit | None = None
+    zeros: int = 0
+
+    @property
+    def sure_figures(self) -> int | None:
+        """The figures that surely count."""
+        return None if self.figures is None else self.figures - self.zeros
 
     @property
     def rational(self) -> Fraction | None:
@@ -58,14 +68,18 @@ class Typed(Struct, frozen=True):
     @property
     def half_unit(self) -> Fraction | None:
         """Half a unit of its last figure; None where it is exact, or zero."""
+        return self.half_unit_of(self.figures)
+
+    def half_unit_of(self, figures: int | None) -> Fraction | None:
+        """Half a unit of the last of so many figures."""
         number = self.rational
-        if not number or self.figures is None:
+        if not number or figures is None:
             return None
-        return HALF * Fraction(10) ** (rounded(number, self.figures)[1] - self.figures + 1)
+        return HALF * Fraction(10) ** (rounded(number, figures)[1] - figures + 1)
 
     def times(self, factor: Fraction) -> Typed:
         """The same figures for a number so many times as large."""
-        return Typed(factor * self.value, self.figures, self.unit)
+        return Typed(factor * self.value, self.figures, self.unit, self.zeros)
 
 
 def within_tolerance(typed: Typed, value: Certified, tolerance: Tolerance, unit: Unit) -> bool | None:
@@ -138,8 +152,18 @@ def tolerance_edges(typed: Typed, share: Fraction, margin: Formula | None) -> It
 
 def rounds_to(typed: Typed, value: Certified) -> bool:
     """Whether the typed number is the other, rounded to the figures that it has."""
-    half = typed.half_unit
-    return half is not None and is_near(typed, value, margin=Number(half)) is True
+    return bool(figures_that_hold(typed, value))
+
+
+def figures_that_hold(typed: Typed, value: Certified) -> int:
+    """To how many of its figures the typed number is the other, rounded; 0 where it is not. Without zeros that need not count, two at
+    least are left."""
+    figures, sure = typed.figures or 0, typed.sure_figures or 0
+    for count in range(figures, min(figures, max(sure, LEAST_FIGURES)) - 1, -1):
+        half = typed.half_unit_of(count or None)
+        if half is not None and is_near(typed, value, margin=Number(half)):
+            return count
+    return 0
 
 
 def certified_number(value: Formula, values: Mapping[str, Formula]) -> Certified | None:
@@ -165,9 +189,7 @@ def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool =
     if typed.is_hertz and dimension.angle:
         return Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",))
     if turns and typed.dimension == ANGLE:
-        if typed.counts_turns:
-            return ONE_UNIT
-        return Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",))
+        return ONE_UNIT if typed.counts_turns else typed.of_turns
     return typed
 
 

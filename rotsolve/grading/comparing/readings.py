@@ -29,14 +29,22 @@ ENTRIES_OF_MATRIX = tuple(one + other for one in "xyz" for other in "xyz")
 def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
     """The finding for one reading."""
     if reading.kind == NUMBER and reading.formula is not None:
-        return number_judged(Typed(reading.formula, reading.figures, reading.unit), reading.direction, asked)
+        return number_judged(typed_in(reading), reading.direction, asked)
     if reading.kind == FORMULA and reading.formula is not None:
         meant = None if reading.unit is None else measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns)
         if isinstance(meant, Remark):
             return Finding(WRONG, (meant,))
         return formula_judged(reading.formula, reading.direction, asked, measured=meant is not None)
+    if reading.polar and reading.polar[0].direction and asked.direction:  # what has a direction in words alone
+        return scalar_judged(reading.polar[0], asked)
     wanted = "a formula" if asked.value is None else "a number or a formula"
     return found(WRONG, "form", f"{wanted} is asked for{', not components' if reading.kind == VECTOR else ''}")
+
+
+def typed_in(reading: LineReading) -> Typed:
+    """The number that a reading holds."""
+    assert reading.formula is not None
+    return Typed(reading.formula, reading.figures, reading.unit, reading.zeros)
 
 
 def vector_judged(

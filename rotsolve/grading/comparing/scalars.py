@@ -12,26 +12,26 @@ from rotsolve.algebra.certified.ball import Certified, evaluate, multiple_of, ro
 from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import NONE, Dimension
+from rotsolve.algebra.units.dimension import ANGLE, NONE, Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.numbers import (
+    LEAST_FIGURES,
     Typed,
     certified_number,
+    figures_that_hold,
     likely_meant,
     may_lack,
     measured_unit,
-    rounds_to,
     within_tolerance,
 )
-from rotsolve.grading.comparing.signs import points_other_way
+from rotsolve.grading.comparing.signs import along_motion, is_unclear, points_other_way
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language import marks
 from rotsolve.language.marks import Marking
 
 POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point makes
-LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
 
 Same = Callable[[Formula, Formula], "bool | None"]
 Close = Callable[[Formula, Formula, Fraction], bool]
@@ -41,7 +41,8 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
     """What is asked for: its closed form and its number, which of them there are, and how it is marked.
 
     `direction` is that of its value in words, `positive` that of a positive value where a negative one
-    has another; a `directed` one has a sign by convention. `turns` says that it counts turns.
+    has another; a `directed` one has a sign by convention. `turns` says that it counts turns. `level` is where its direction leads on the
+    level, along a slope, and `sized` the direction of that whose size is asked.
     `dimensions` are those of the letters that an answer may hold, `numbers` theirs in SI units; `answers` are the closed
     forms of all answers.
     """
@@ -61,6 +62,8 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
     positive: str = ""
     directed: bool = False
     turns: bool = False
+    level: str = ""
+    sized: str = ""
 
     @property
     def si(self) -> Unit:
@@ -88,7 +91,11 @@ def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     meant = measured_unit(typed.unit, asked.unit, asked.dimension, asked.turns)
     if isinstance(meant, Remark):
         return Finding(WRONG, (meant,))
-    return value_judged(typed, meant, direction, asked) or slip(typed, meant, asked)
+    finding = value_judged(typed, meant, direction, asked) or slip(typed, meant, asked)
+    if asked.turns and finding.right and typed.unit.dimension == ANGLE and not typed.unit.counts_turns:
+        said = Remark("unit", (f"a number of turns is asked for: the angle in {typed.unit.text} is taken as one",))
+        return Finding(finding.outcome, (*finding.remarks, said), finding.flaws)
+    return finding
 
 
 def unitless_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
@@ -114,9 +121,10 @@ def lacking_unit(finding: Finding, unit: Unit, asked: Scalar) -> Finding:
 def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Finding | None:
     """The finding where the number is within the tolerance, perhaps with the other sign, or where that can't be told; else None."""
     value = asked.in_unit(unit)
-    turned = points_other_way(direction, asked.direction) if direction and asked.direction else False
-    if turned is None:
-        return found(WRONG, "direction", f"it points another way: {asked.direction}")
+    other = pointing_judged(direction, asked)
+    if other is not None:
+        return other
+    turned = is_turned_by(direction, asked)
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
     holds = within_tolerance(signed, value, asked.marking.tolerance, unit)
     if holds is None and is_same_number(signed, unit, asked):
@@ -124,12 +132,47 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
     if holds is None:
         return found(UNDECIDED, "tolerance", "it lies on the edge of the tolerance")
     if holds:
-        return form_judged(typed, value, asked)
+        return of_its_way(form_judged(typed, value, asked), direction, asked)
     if within_tolerance(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
         if turned:
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
         return right_but_for_sign(asked)
     return None
+
+
+def is_turned_by(direction: str, asked: Scalar) -> bool:
+    """Whether words behind an answer tell the direction other than the one that is sought."""
+    return bool(
+        direction
+        and asked.direction
+        and points_other_way(along_motion(direction, asked.positive), asked.direction, asked.level)
+    )
+
+
+def pointing_judged(direction: str, asked: Scalar) -> Finding | None:
+    """The finding where words tell neither the direction that is sought nor the other; None where they tell one, or nothing is sought.
+
+    Backwards is against the declared positive direction. Where that is not how it was meant, as along a motion that has turned round,
+    nothing is decided; nor is it where a word may say the same in another way, left for counterclockwise round a loop.
+    """
+    if not (direction and asked.direction):
+        return None
+    meant = along_motion(direction, asked.positive)
+    turned = points_other_way(meant, asked.direction, asked.level)
+    if turned is False or (turned and meant == direction):
+        return None
+    if turned or is_unclear(meant, asked.direction):
+        return found(UNDECIDED, "direction", f"can't tell whether {direction} is the same as {asked.direction}")
+    return found(WRONG, "direction", f"it points another way: {asked.direction}")
+
+
+def of_its_way(finding: Finding, direction: str, asked: Scalar) -> Finding:
+    """A right size, with what a direction costs that is not that of the quantity: it is marked as a sign is."""
+    if not direction or not asked.sized or points_other_way(direction, asked.sized, asked.level) is False:
+        return finding
+    outcome = finding.outcome if asked.marking.sign == marks.LENIENT else WRONG
+    remark = Remark("direction", (f"the size is right, but it points another way: {asked.sized}",))
+    return Finding(outcome, (*finding.remarks, remark), finding.flaws if outcome != WRONG else ())
 
 
 def right_but_for_sign(asked: Scalar) -> Finding:
@@ -197,8 +240,9 @@ def is_exactly(typed: Typed, value: Certified) -> bool:
 def slip(typed: Typed, unit: Unit, asked: Scalar) -> Finding:
     """What a number that is out of the tolerance may come of: too few figures, another unit, a power of ten."""
     value = asked.in_unit(unit)
-    if rounds_to(typed, value):
-        return too_few(typed)
+    figures = figures_that_hold(typed, value)
+    if figures:
+        return too_few(figures)
     for other in likely_meant(typed.unit, asked.unit, asked.si, asked.dimension):
         if within_tolerance(typed, asked.in_unit(other), asked.marking.tolerance, other):
             return found(WRONG, "unit", f"the number would be right in {other.text or 'no unit'}")
@@ -208,9 +252,8 @@ def slip(typed: Typed, unit: Unit, asked: Scalar) -> Finding:
     return Finding(WRONG)
 
 
-def too_few(typed: Typed) -> Finding:
-    """What is said of a number that is right to its figures, but not to the tolerance."""
-    count = typed.figures or 0
+def too_few(count: int) -> Finding:
+    """What is said of a number that is right to so many figures, but not to the tolerance."""
     said = f"right as far as it goes, but {'1 figure is' if count == 1 else f'{count} figures are'} too few"
     return found(WRONG, "figures", said, flaws=(marks.ROUNDING,) if count >= LEAST_FIGURES else ())
 

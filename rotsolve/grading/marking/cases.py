@@ -17,8 +17,9 @@ from rotsolve.confirm.course.samples import Numbers, holds
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.marking.target import SceneLetters, Target, entries_of_answer
-from rotsolve.grading.marking.texts import Defined, JudgedText, Texts
+from rotsolve.grading.marking.texts import JudgedText, Texts
 from rotsolve.grading.reading.conditions import Claim, claims_in
+from rotsolve.grading.reading.definitions import Defined
 from rotsolve.grading.reading.tokens import MAX_LENGTH
 from rotsolve.grading.verdict import UNDECIDED, WRONG, Finding, Remark, all_findings
 from rotsolve.language.marks import CASE

@@ -69,7 +69,7 @@ def fewer_figures(given: Given) -> Iterator[tuple[Formula, str]]:
 def rounded_early(typed: Typed, factor: Formula, answers: tuple[Rounded, ...]) -> Words | None:
     """What was rounded, where that gives the typed number to its figures; `factor` is that of its unit."""
     half = typed.half_unit
-    if typed.figures is not None and (half is None or typed.figures < LEAST_ROUNDED):
+    if typed.figures is not None and (half is None or (typed.sure_figures or 0) < LEAST_ROUNDED):
         return None
     number, margin = Typed(typed.value * factor), None if half is None else half * factor
     near = (words for value, words in answers if is_near(number, value, share=EXACTLY, margin=margin))
@@ -111,7 +111,7 @@ class Explaining:
 
     def another(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """The answer to another question, given for this one."""
-        if (typed.figures is not None and typed.figures < ENOUGH) or typed.unit not in (None, asked.unit):
+        if (typed.sure_figures is not None and typed.sure_figures < ENOUGH) or typed.unit not in (None, asked.unit):
             return None
         for answer in self.letters.solution.derivation.answers:
             alike = answer.name != name and answer.unit == asked.unit and not answer.components
@@ -139,7 +139,7 @@ class Explaining:
     def mistake_of_number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """The mistake that gives a number."""
         nothing = typed.rational == 0
-        if typed.figures is not None and typed.figures < LEAST_FOR_MISTAKE and not nothing:
+        if typed.sure_figures is not None and typed.sure_figures < LEAST_FOR_MISTAKE and not nothing:
             return None
         number = Typed(typed.value * (typed.unit or asked.unit).factor / asked.unit.factor, typed.figures)
         same_unit = typed.unit is None or typed.unit.factor == asked.unit.factor
@@ -233,6 +233,15 @@ class Explaining:
             return asked.same(both.typed, both.closed) is True
 
         return self._first_mistake(name, fits)
+
+    def mistake_in_letters(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
+        """The mistake or the sign with which a formula is the answer whatever numbers its letters have; None where there is none."""
+
+        def fits(wrong: Answer) -> bool:
+            closed = wrong.closed
+            return closed is not None and closed.symbols() == formula.symbols() and bool(asked.same(formula, closed))
+
+        return self._first_mistake(name, fits) or self.sign(formula, asked)
 
 
 def node_replaced(old: Formula, new: Formula, node: Formula) -> Formula:

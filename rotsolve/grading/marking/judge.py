@@ -12,15 +12,19 @@ from rotsolve.algebra.units.dimension import NONE
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion
-from rotsolve.grading.comparing.numbers import Typed, measured_unit
-from rotsolve.grading.comparing.readings import COMPONENT
+from rotsolve.grading.comparing.formulas import NUMBERS_ALONE
+from rotsolve.grading.comparing.numbers import measured_unit
+from rotsolve.grading.comparing.readings import COMPONENT, typed_in
 from rotsolve.grading.comparing.scalars import lacking_unit
+from rotsolve.grading.comparing.uncertain import UNCERTAIN
 from rotsolve.grading.marking.cases import Cases
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
+from rotsolve.grading.marking.own_letters import DEFINED
 from rotsolve.grading.marking.target import SceneLetters, Target
-from rotsolve.grading.marking.texts import CHAIN, EMPTY, Defined, JudgedText, Texts
+from rotsolve.grading.marking.texts import ASIDE, CHAIN, EMPTY, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
+from rotsolve.grading.reading.definitions import Defined
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR
 from rotsolve.grading.verdict import (
     NO_ANSWER,
@@ -38,6 +42,10 @@ from rotsolve.grading.verdict import (
 from rotsolve.language import marks
 from rotsolve.solution import Solution
 
+BESIDE = frozenset(
+    (ASIDE, CHAIN, COMPONENT, DEFINED, UNCERTAIN)
+)  # kinds of remarks that do not say what a wrong answer comes of
+
 
 class Judge:
     """Judges answers to the questions of one solved scene; `wrong` gives its answers with a mistake, where they are known already."""
@@ -54,11 +62,11 @@ class Judge:
     def mark(self, paper: Paper) -> Marked:
         """The paper, marked: every answer in the order in which the scene asks, then the working."""
         parts, wrong = [], dict[str, str]()
-        defined = tuple((name, form) for _, name, form in self.working.definitions(paper.working))
+        brought, own = self.working.defined(paper.working)
         round_in = self._circles(paper.answers)
         for target in self.targets.values():
             text = paper.answers.get(target.name, "")
-            one, followed = self._in_its_place(target, text, wrong, defined)
+            one, followed = self._in_its_place(target, text, wrong, brought, own)
             if target.name in round_in:
                 one, followed = unsolved_judged(one, round_in[target.name]), False
             if one.finding.outcome == WRONG:
@@ -77,30 +85,49 @@ class Judge:
         return circles(holds) if len(holds) > 1 else {}
 
     def _in_its_place(
-        self, target: Target, text: str, wrong: Mapping[str, str], defined: Defined
+        self, target: Target, text: str, wrong: Mapping[str, str], brought: Defined, own: Defined
     ) -> tuple[JudgedText, bool]:
-        """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
-        one = self._judged(target, text)
-        if one.reading is None and defined:
-            one = self._judged(target, text, defined)
+        """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of.
+
+        By itself it is read with the letters of the scene that the working defines, where it can't be read with others too.
+        """
+        defined = (*brought, *own) if own else ()
+        one = self._judged(target, text, defined)
+        if one.reading is None and brought and not own:
+            defined, one = brought, self._judged(target, text, brought)
+        if any(remark.kind == NUMBERS_ALONE for remark in one.finding.remarks):
+            return self._right_by_numbers(target, text, defined), False
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
-        followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
+        followed = self._follow(target, text, tuple(wrong.items()), defined) if wrong else None
         if followed is not None:
             return followed, True
-        said = {remark.kind for remark in one.finding.remarks} - {CHAIN, COMPONENT}
+        said = {remark.kind for remark in one.finding.remarks} - BESIDE
         if said - {"sign"} if target.parts else said:  # a sign says little of why a component is wrong
             return one, False
-        return self._explain(target, text), False
+        return self._explain(target, text, defined), False
 
     def _judged(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
         """What is found in a text by itself, in all cases of its answer."""
         return self.cases.judged(target, text, defined) or self.texts.judged(target, text, defined)
 
     @remembered
-    def _follow(self, target: Target, text: str, wrong: tuple[tuple[str, str], ...]) -> JudgedText | None:
+    def _right_by_numbers(self, target: Target, text: str, defined: Defined) -> JudgedText:
+        """A formula that is right for the scene's own numbers alone; wrong where a usual mistake makes it of the answer."""
+        one = self._judged(target, text, defined)
+        assert one.reading is not None
+        formula, asked = one.reading.formula, target.whole
+        if formula is None or asked is None:
+            return one
+        mistaken = self.explaining.mistake_in_letters(target.name, self.letters.meant(formula), asked)
+        return one if mistaken is None else replace(one, finding=mistaken)
+
+    @remembered
+    def _follow(
+        self, target: Target, text: str, wrong: tuple[tuple[str, str], ...], defined: Defined
+    ) -> JudgedText | None:
         """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
-        one, given = self._judged(target, text), self.own(target, text)
+        one, given = self._judged(target, text, defined), self.own(target, text, defined)
         owned = {name: self.own(self.targets[name], typed) for name, typed in wrong}
         earlier = {name: value for name, value in owned.items() if value is not None}
         if given is None or not earlier:
@@ -116,16 +143,18 @@ class Judge:
         return JudgedText(one.reading, finding, one.read_as)
 
     @remembered
-    def _explain(self, target: Target, text: str) -> JudgedText:
+    def _explain(self, target: Target, text: str, defined: Defined = ()) -> JudgedText:
         """A wrong answer with what it comes of, where that is found."""
-        one = self._judged(target, text)
+        one = self._judged(target, text, defined)
         reading, asked = one.reading, target.whole
         finding = None
         if reading is not None and reading.kind == VECTOR:
             finding = self.explaining.vector(target, reading)
         elif reading is not None and reading.formula is not None and asked is not None:
             if reading.kind == NUMBER:
-                typed = Typed(reading.formula, reading.figures, reading.unit)
+                typed, unit = typed_in(reading), reading.unit
+                meant = unit and measured_unit(unit, asked.unit, asked.dimension, asked.turns)
+                typed = replace(typed, unit=meant) if isinstance(meant, Unit) else typed
                 finding = self.explaining.number(target.name, typed, asked)
             elif reading.kind == FORMULA:
                 finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)
@@ -135,9 +164,9 @@ class Judge:
         return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *more)), one.read_as)
 
     @remembered
-    def own(self, target: Target, text: str) -> Own | None:
+    def own(self, target: Target, text: str, defined: Defined = ()) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
-        one = self._judged(target, text)
+        one = self._judged(target, text, defined)
         reading, asked = one.reading, target.whole
         if reading is None or reading.formula is None or asked is None:
             return None
@@ -147,7 +176,7 @@ class Judge:
             unit: Unit | Remark = asked.unit
             if reading.unit is not None:
                 unit = measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns)
-            typed = Typed(reading.formula, reading.figures, reading.unit)
+            typed = typed_in(reading)
             return None if not isinstance(unit, Unit) or typed.rational == 0 else own_number(typed, unit.factor)
         formula = self.letters.meant(reading.formula)
         return None if reading.kind != FORMULA or self.texts.same(formula, ZERO) is not False else Own(formula)

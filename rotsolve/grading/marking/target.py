@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE, Dimension
@@ -171,6 +172,8 @@ class SceneLetters(Struct, frozen=True, dict=True):
 
 def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Target]:
     """What every answer is held against, in the order of the questions."""
+    from rotsolve.grading.marking.pointing import level_side, sized_direction
+
     finds = {find.group: find for find in letters.problem.finds}
     published = {entry.name: entry for entry in letters.problem.answers}
     for answer in letters.solution.derivation.answers:
@@ -187,6 +190,10 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
         directed = letters.meanings.directed(answer.name)
         turns = [term.path.quantity for term in find.terms] == ["turns"]
         whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, turns)
+        if whole is not None:
+            sized = "" if answer.direction else sized_direction(letters, find)
+            level = level_side(letters.problem, find, answer.direction or sized)
+            whole = replace(whole, sized=sized, level=level) if sized or level else whole
         directional = told and bool(answer.direction)
         either = [term.path.quantity for term in find.terms if not term.other] == [*EITHER_WAY]
         yield Target(answer.name, marking, whole, parts, labels_of(answer), len(rows) or 1, "", (), directional, either)

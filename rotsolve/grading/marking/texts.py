@@ -9,30 +9,40 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, Formula, Symbol
+from rotsolve.algebra.formula import ONE, Symbol
+from rotsolve.algebra.units.dimension import NONE
+from rotsolve.confirm.course.samples import holds
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere
 from rotsolve.grading.comparing.here import same_in
-from rotsolve.grading.comparing.numbers import Typed, certified_number, rounds_to
-from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, vector_judged
-from rotsolve.grading.comparing.scalars import Close, Same
-from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
+from rotsolve.grading.comparing.numbers import certified_number, rounds_to
+from rotsolve.grading.comparing.readings import opposite_vector, scalar_judged, typed_in, vector_judged
+from rotsolve.grading.comparing.scalars import Close, Same, is_turned_by, pointing_judged
+from rotsolve.grading.comparing.signs import cut_direction, is_direction
+from rotsolve.grading.comparing.uncertain import with_uncertainty
 from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.reading.answers import read_line
-from rotsolve.grading.reading.definitions import Definitions, clause
-from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, without_asides
+from rotsolve.grading.reading.choices import options_named, plain_words
+from rotsolve.grading.reading.conditions import CONDITIONAL, Claim, claims_in
+from rotsolve.grading.reading.definitions import Defined, cut_definitions, told_before
+from rotsolve.grading.reading.everyday import cut_clause, everyday, quotient_of_ratio, without_nouns
+from rotsolve.grading.reading.lines import ABOUT, EQUALS, chain_members, cut_aside, with_plain_numbers, without_asides
 from rotsolve.grading.reading.prose import last_statement, nouns_for, without_prose
-from rotsolve.grading.reading.records import NUMBER, VECTOR, AnswerError, LineReading, Names
+from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, AnswerError, LineReading, Names
+from rotsolve.grading.reading.spoken import in_english
 from rotsolve.grading.reading.tokens import plain_width
+from rotsolve.grading.reading.uncertainty import cut_uncertainty
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, VALUELESS, WRONG, Finding, Remark, found
 from rotsolve.language.marks import FORM, UNIT
 
 if TYPE_CHECKING:
     from rotsolve.grading.marking.axes import OtherAxes
+    from rotsolve.grading.marking.own_letters import OwnLetters
 
 LONGEST_ECHO = 400  # characters of a line that is said back
-Defined = tuple[tuple[str, Formula], ...]  # letters that the student brought in, with what they stand for
 CHAIN = "chain"  # the kind of a remark on the way to an answer
+MISFIT = 4  # the preference of a reading that does not measure what is asked
+ASIDE = "aside"  # the kind of a remark on words that are passed over
 EMPTY = "empty"  # the kind of the remark on a text that is no answer, as `?`
 NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
 
@@ -43,6 +53,10 @@ class JudgedText(Struct, frozen=True):
     reading: LineReading | None
     finding: Finding
     read_as: str = ""
+
+    def saying(self, *remarks: Remark) -> JudgedText:
+        """The same with more that is said of it."""
+        return replace(self, finding=replace(self.finding, remarks=(*self.finding.remarks, *remarks)))
 
 
 class Texts:
@@ -78,32 +92,61 @@ class Texts:
         long = AnswerError.of_length(text)
         if long is not None:
             return unreadable(long)
-        text = plain_width(text)
+        text = everyday(in_english(plain_width(text)))
         if NOTHING.fullmatch(text):
             return JudgedText(None, found(WRONG, EMPTY, "not answered"))
         if target.word:
-            return JudgedText(None, word_judged(text, target))
+            bodies = nouns_for(*(body.name for body in self.letters.problem.bodies))
+            return JudgedText(None, word_judged(text, target, self.names(target).nouns | bodies))
         if is_direction(without_letter(text)):
             return JudgedText(None, direction_judged(without_letter(text), target))
         if target.parts and self._names_components(target, text):
             return self._in_axes(target, text, defined)
-        told = clause(text, self.names(target))
-        if told is not None:
-            text, defined = told[0], (*defined, told[1:])
-        return self._answering(target, text, defined)
+        text = with_plain_numbers(text, self.names(target))
+        claims = claims_in(text, self.names(target)) if CONDITIONAL.search(text) else ()
+        claim = self._claimed(claims) if claims else None
+        if claim is not None:
+            text = claim.text
+        text, told = cut_definitions(text, self.names(target), self.letters.constants, self.letters.dimensions)
+        return self._answering(target, text, (*defined, *told))
+
+    def _claimed(self, claims: tuple[Claim, ...]) -> Claim | None:
+        """The answer that is given for the numbers of the scene; None where they do not tell."""
+        letters = {
+            name for one in claims for side in one.conditions for name in side.left.symbols() | side.right.symbols()
+        }
+        if not letters <= self.letters.numbers.keys():
+            return None
+        numbers = dict(self.letters.numbers)
+        told = [one for one in claims if one.conditions and all(holds(each, numbers) for each in one.conditions)]
+        return next(iter([*told, *(one for one in claims if not one.conditions)]), None)
 
     def _answering(self, target: Target, text: str, defined: Defined) -> JudgedText:
         """What is found in the last statement of a line that tells the answer; an earlier one with another value is said to be so."""
         names = self.names(target)
         line, before = last_statement(text, names)
+        if line != text:
+            front = text[: len(text) - len(line.lstrip())]
+            told = told_before(front, names, self.letters.constants, self.letters.dimensions)
+            defined = (*defined, *told)
+        line, aside = cut_aside(line, names)
+        line, uncertainty = cut_uncertainty(line)
+        line, said = cut_clause(line, self.words_elsewhere(target))
+        line = without_nouns(line, names.nouns, names.letters)
+        if target.whole is not None and target.whole.dimension.matches(NONE):
+            line = quotient_of_ratio(line)
         one = self._in_axes(target, without_asides(without_prose(line, names), names), defined)
+        if uncertainty is not None and one.reading is not None:
+            one = replace(one, finding=with_uncertainty(one.finding, one.reading, uncertainty, target.whole))
+        if aside and one.reading is not None:
+            one = one.saying(Remark(ASIDE, (f"`{aside}` is passed over",)))
+        if said and one.reading is not None:
+            one = one.saying(Remark(ASIDE, (f"`{said}` is passed over",)))
         near = names.near_name(line)
         if near and one.reading is not None:
-            remark = Remark("letter", (Symbol(near), " is taken as ", Symbol(target.name)))
-            one = replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+            one = one.saying(Remark("letter", (Symbol(near), " is taken as ", Symbol(target.name))))
         if before and self._is_other(target, before, defined):
-            remark = Remark(CHAIN, (f"`{before.strip()}` is another value",))
-            return replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+            return one.saying(Remark(CHAIN, (f"`{before.strip()}` is another value",)))
         return one
 
     def _is_other(self, target: Target, before: str, defined: Defined) -> bool:
@@ -127,6 +170,13 @@ class Texts:
         paths = [term.path for find in finds for term in find.terms]
         whose = [word for path in paths for word in (path.owner, path.point or "", path.quantity)]
         return nouns_for(*whose, *(term.modifier for find in finds for term in find.terms))
+
+    @remembered
+    def words_elsewhere(self, target: Target) -> frozenset[str]:
+        """Words that may say that something else is meant: letters of the scene, and the names of bodies that are not asked about."""
+        bodies = nouns_for(*(body.name for body in self.letters.problem.bodies))
+        letters = {name for name in self.letters.givens | self.letters.told if name not in "aA"}
+        return (bodies - self.nouns(target.name)) | letters
 
     def _names_components(self, target: Target, text: str) -> bool:
         """Whether a text tells a vector or matrix by the names of its components."""
@@ -157,8 +207,7 @@ class Texts:
             words = f"can't tell its components in {axes} axes: {other}"
             return JudgedText(None, found(UNDECIDED, "axes", words))
         one = self._told(other, line, defined)
-        remark = Remark("axes", (f"read in {axes} axes",))
-        return replace(one, finding=replace(one.finding, remarks=(*one.finding.remarks, remark)))
+        return one.saying(Remark("axes", (f"read in {axes} axes",)))
 
     def _told(self, target: Target, text: str, defined: Defined) -> JudgedText:
         """What is found in an answer: of a vector its named components, the last member of a chain, or one value."""
@@ -183,16 +232,48 @@ class Texts:
         return self._value(target, text, defined)
 
     def _value(self, target: Target, text: str, defined: Defined) -> JudgedText:
-        """What is found in one value; where it can't be read by the scene's letters, with those that the student brought in."""
-        best = self._by_scene(target, text)
-        if best.reading is not None or target.rows > 1 or not defined:
-            return best
-        line, direction = cut_direction(text)
+        """What is found in one value: by the letters as the student defined them, else by the scene's."""
+        if not defined or target.rows > 1:
+            return self._by_scene(target, text)
+        from rotsolve.grading.marking.own_letters import OwnLetters  # few define letters
+
+        own = OwnLetters.of(defined, self.letters, target, self.same)
         try:
-            readings = self._with_letters(line, target, dict(defined))
-        except AnswerError as error:
-            return unreadable(error)
-        return self._best(target, text, with_direction(readings, direction))
+            one = self._by_own(target, text, own) or self._by_scene(target, text)
+        except AnswerError as error:  # knows more letters, so that it blames the right one
+            by_scene = self._by_scene(target, text)
+            one = unreadable(error) if by_scene.reading is None else by_scene
+        return one if one.reading is None else self._with_own_numbers(target, one, one.reading, own)
+
+    def _by_own(self, target: Target, text: str, own: OwnLetters) -> JudgedText | None:
+        """What is found in one value by letters that the student defined; None where it holds none."""
+        from rotsolve.grading.marking.own_letters import holds_letters, in_own_letters
+
+        line, direction = cut_direction(text)
+        readings = read_line(line, self.names(target, self.letters.constants.union(own.forms)))
+        if not any(holds_letters(one, own.forms) for one in readings):
+            return None
+        put = [in_own_letters(one, own.forms) for one in readings]
+        told = [None if one.formula is None else self.letters.spelled_out(one.formula) for one in put]
+        meant = tuple(
+            replace(one, formula=form)
+            for one, form in zip(put, told, strict=True)
+            if form is not None or one.formula is None
+        )
+        return self._best(target, text, with_direction(meant, direction)) if meant else None
+
+    def _with_own_numbers(self, target: Target, one: JudgedText, reading: LineReading, own: OwnLetters) -> JudgedText:
+        """What is found with the numbers that the student gave to letters of the scene, and what differs from the scene."""
+        from rotsolve.grading.marking.own_letters import in_own_letters
+
+        finding = one.finding
+        if own.numbers and reading.kind != NUMBER and (finding.right or finding.flaws):
+            number = own.worked_out(self.meant(reading), self.letters, target)
+            by_number = self._read(target, number)
+            if not by_number.right:
+                reading = number if own.near else in_own_letters(reading, own.numbers)
+                finding = by_number
+        return JudgedText(reading, finding, one.read_as).saying(*own.remarks)
 
     def _by_scene(self, target: Target, text: str) -> JudgedText:
         """What is found in one value: by the letters of the scene, else with units in it, else with letters of the laws."""
@@ -216,7 +297,16 @@ class Texts:
         if not others:
             return best
         other = self._best(target, text, with_direction(others, direction))
+        if best.reading is None and self._is_rather_letters(target, other):
+            return best
         return other if best.reading is None or preference(other.finding) < preference(best.finding) else best
+
+    def _is_rather_letters(self, target: Target, one: JudgedText) -> bool:
+        """Whether a unit that does not measure what is asked has letters of the scene in it, as N/m behind a formula with m."""
+        if preference(one.finding) != MISFIT or one.reading is None or one.reading.unit is None:
+            return False
+        words = re.findall(r"[^\W\d_]+", one.reading.unit.text)
+        return one.reading.kind == FORMULA and not self.names(target).letters.isdisjoint(words)
 
     def _readings(self, target: Target, line: str) -> tuple[LineReading, ...]:
         """All readings that a line allows by the letters of the scene."""
@@ -249,15 +339,6 @@ class Texts:
             readings = ()
         found = (*readings, *quantity_readings(line, names, measured, bool(readings)))
         return tuple(with_near(reading, near) for reading in found)
-
-    def _with_letters(self, line: str, target: Target, defined: Definitions) -> tuple[LineReading, ...]:
-        """The readings of a line with letters that the student brought in."""
-        names = self.names(target, frozenset(defined))
-        return tuple(
-            replace(reading, written=reading.text, formula=reading.formula.substitute(defined))
-            for reading in read_line(line, names)
-            if reading.formula is not None
-        )
 
     def _best(self, target: Target, text: str, readings: tuple[LineReading, ...]) -> JudgedText:
         """By the reading that makes the line right, else by the likeliest one."""
@@ -310,7 +391,7 @@ def exact_before_rounded(target: Target, found_in: list[JudgedText], text: str) 
     number = certified_number(value.formula * factor / unit.factor, target.whole.values)
     if not unit.dimension.matches(target.whole.dimension) or number is None:
         return None
-    if not rounds_to(Typed(typed.formula, typed.figures), number):
+    if not rounds_to(typed_in(typed), number):
         return None
     kept = tuple(remark for remark in exact.finding.remarks if remark.kind != "unit")
     return replace(exact, finding=Finding(RIGHT, kept))
@@ -335,6 +416,10 @@ def chain_judged(found_in: list[JudgedText], chain: tuple[str, ...]) -> JudgedTe
         finding = Finding(finding.outcome, remarks, flaws)
     for one, member in zip(earlier, chain, strict=False):
         failed = one.finding.outcome == WRONG and not one.finding.flaws
+        if (
+            finding.right and last.reading is not None and last.reading.direction
+        ):  # the sign of all is told by its words
+            failed = failed and any(remark.kind != "sign" for remark in one.finding.remarks)
         if one.finding.right if finding.outcome == WRONG else failed:
             start, end = len(member) - len(member.lstrip()), len(member.rstrip())
             words = f"`{member.strip()}` {'is right' if one.finding.right else 'is another value'}"
@@ -359,7 +444,9 @@ def preference(finding: Finding) -> int:
     if finding.outcome == WRONG and finding.flaws:
         return 1
     if any(remark.kind == VALUELESS for remark in finding.remarks):
-        return 4
+        return 5
+    if finding.outcome == WRONG and any(remark.kind in ("dimension", "form") for remark in finding.remarks):
+        return MISFIT  # another reading measures what is asked
     return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
 
@@ -368,27 +455,28 @@ def without_letter(text: str) -> str:
     return text.rpartition("=")[2].strip()
 
 
-def word_judged(text: str, target: Target) -> Finding:
+def word_judged(text: str, target: Target, nouns: frozenset[str]) -> Finding:
     """The finding for a label, or several in any order."""
-    typed, wanted = (set(map(folded, words.split(","))) for words in (without_letter(text), target.word))
-    if typed == wanted or folded(text) == folded(target.word):
+    if plain_words(text) == plain_words(target.word):
         return Finding(RIGHT)
-    if typed <= set(map(folded, (*target.options, "none"))):
-        return Finding(WRONG)
-    return found(WRONG, "reading", f"choose from: {', '.join(target.options)}")
+    wanted = options_named(target.word, target.options)
+    typed = options_named(without_letter(text), target.options, nouns)
+    if typed is None:
+        alone = len(re.findall(r"\w+", without_letter(text))) == 1  # one word, which is none of them
+        return found(WRONG if alone else UNDECIDED, "reading", f"choose from: {', '.join(target.options)}")
+    return Finding(RIGHT if typed == wanted else WRONG)
 
 
 def direction_judged(text: str, target: Target) -> Finding:
     """The finding for a direction in words where a number could stand."""
-    direction = "" if target.whole is None else target.whole.direction
-    if not direction:
+    asked = target.whole
+    if asked is None or not asked.direction:
         return found(WRONG, "form", "words are no answer here")
-    if points_other_way(text, direction) is not False:
-        return found(WRONG, "direction", f"it points another way: {direction}")
+    other = pointing_judged(text, asked)
+    if other is not None:
+        return other
+    if is_turned_by(text, asked):
+        return found(WRONG, "direction", f"it points another way: {asked.direction}")
     if target.directional:
         return Finding(RIGHT)
     return found(WRONG, "form", "the direction is right; its size is asked for")
-
-
-def folded(words: str) -> str:
-    return " ".join(words.lower().split())

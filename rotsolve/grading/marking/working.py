@@ -20,11 +20,14 @@ from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, Symbol, negat
 from rotsolve.algebra.notation.letters import spellings
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.core.remembered import remembered
+from rotsolve.grading.comparing.formulas import NUMBERS_ALONE, letters_put_in, worth_the_same
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
-from rotsolve.grading.reading.definitions import definition
+from rotsolve.grading.reading.definitions import Defined, definition, is_introduced, without_introduction
+from rotsolve.grading.reading.everyday import everyday, without_head
+from rotsolve.grading.reading.lines import with_plain_numbers
 from rotsolve.grading.reading.near import with_near
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, plain_width
@@ -38,12 +41,16 @@ from rotsolve.grading.verdict import (
     Verdict,
     all_findings,
     found,
+    listed_letters,
 )
 from rotsolve.language.marks import ALL, marking_of
 
 USUAL = 0.01  # the share by which the two sides of a line with decimals may differ, where the tolerance is no share
 DECIMAL = re.compile(r"\d[.,]\d")
 NAME = re.compile(r"[^\W\d_]\w*")
+BETWEEN = re.compile(  # statements of a line
+    r"[()\[\]{}]|;|=>|[-–]+>|[→⇒⟹⟶∴]|\\(?:Rightarrow|rightarrow|implies|to|therefore)(?![A-Za-z])|,(?=\s)|,?\s(?:so|hence|thus|therefore|and|also|und)\s"
+)
 MOST_STATES = 24  # ways in which the letters of a line are meant at one state or another
 MOST_SENSES = 6  # of positive directions that are tried the other way, one or two at a time
 
@@ -72,7 +79,7 @@ class WorkingJudge:
         are right."""
         verdicts = self.verdicts(texts, frozenset())
         if any(verdict.outcome == WRONG for verdict in verdicts):
-            verdicts = self.by_own_senses(texts) or verdicts
+            verdicts = self.by_own_senses(texts) or self.by_own_letters(texts) or verdicts
         first = next((index for index, verdict in enumerate(verdicts) if verdict.outcome == WRONG), None)
         return tuple(
             JudgedLine(text, verdict, index == first)
@@ -97,9 +104,26 @@ class WorkingJudge:
                     ]
         return None
 
-    def verdicts(self, texts: tuple[str, ...], turned: frozenset[str]) -> list[Verdict]:
-        """The verdict on each line, letters that a line brings in being known from there on."""
-        found, defined = list[Verdict](), self.definitions(texts)
+    def by_own_letters(self, texts: tuple[str, ...]) -> list[Verdict] | None:
+        """The verdicts with moments of inertia as the lines define them, I for that of the whole; None where a line is wrong with these
+        too, or none is right by them."""
+        own = tuple(one for one in self.own_letters(texts) if one[1] in self.letters.constants)
+        verdicts = self.verdicts(texts, frozenset(), own) if own else []
+        used = any(
+            verdict.outcome == RIGHT and any(index < place and self.speaks_of(text, name) for index, name, _ in own)
+            for place, (text, verdict) in enumerate(zip(texts, verdicts, strict=False))
+        )
+        return verdicts if used and not any(verdict.outcome == WRONG for verdict in verdicts) else None
+
+    def speaks_of(self, text: str, name: str) -> bool:
+        return any(name in spellings(word) for word in NAME.findall(text))
+
+    def verdicts(
+        self, texts: tuple[str, ...], turned: frozenset[str], own: tuple[tuple[int, str, Formula], ...] = ()
+    ) -> list[Verdict]:
+        """The verdict on each line, letters that a line brings in being known from there on; `own` are letters of the scene that mean
+        what the lines say."""
+        found, defined = list[Verdict](), (*self.definitions(texts), *own)
         for count, text in enumerate(texts):
             known = tuple((name, form) for index, name, form in defined if index < count)
             brings = next(((name, form) for index, name, form in defined if index == count), None)
@@ -122,12 +146,41 @@ class WorkingJudge:
         return tuple(found)
 
     @remembered
+    def own_letters(self, texts: tuple[str, ...]) -> tuple[tuple[int, str, Formula], ...]:
+        """The letters of the scene that the lines define: moments of inertia, and givens for which a word says so, `let M = 0`."""
+        defined = self.definitions(texts)
+        names, put = self.names(tuple(name for _, name, _ in defined)), {name: form for _, name, form in defined}
+        found: list[tuple[int, str, Formula]] = []
+        for index, text in enumerate(texts):
+            own = self.letters.constants | (self.letters.givens if is_introduced(text) else frozenset())
+            told = None
+            if own and len(text) <= MAX_LENGTH:
+                told = definition(plain_width(text), names, own, self.letters.dimensions)
+            if told is not None and told[0] in own:
+                found.append((index, told[0], told[1].substitute(put)))
+        return tuple(found)
+
+    def defined(self, texts: tuple[str, ...]) -> tuple[Defined, Defined]:
+        """The letters that the lines define: the student's own, and those of the scene."""
+        both = (self.definitions(texts), self.own_letters(texts)) if texts else ((), ())
+        brought, own = (tuple((name, form) for _, name, form in found) for found in both)
+        return brought, own
+
+    @remembered
     def verdict(self, text: str, context: Context = PLAIN) -> Verdict:
         long = AnswerError.of_length(text)
         if long is not None:
             return Verdict(UNDECIDED, "", (Remark("reading", (str(long),), long.start, long.end),))
-        finding = all_findings(self.link(*link, context) for link in equations_of(plain_width(text)))
+        plain = everyday(with_plain_numbers(plain_width(text), self.names()))
+        finding = self.all_links(without_head(plain, self.names().letters), context)
+        if finding.outcome == UNDECIDED and is_introduced(plain):  # the word may be letters of the scene
+            finding = self.all_links(without_introduction(plain), context)
         return Verdict(finding.outcome, "", finding.remarks)
+
+    def all_links(self, line: str, context: Context) -> Finding:
+        """The finding for all equations of a line; one that says nothing counts only where no other says more."""
+        links = [self.link(*link, context) for part in statements_of(line) for link in equations_of(*part)]
+        return all_findings([one for one in links if all(remark.kind != "trivial" for remark in one.remarks)] or links)
 
     @remembered
     def names(self, defined: tuple[str, ...] = ()) -> Names:
@@ -186,9 +239,9 @@ class WorkingJudge:
             finding = self.statement(self.turned(left, context), self.turned(right, context), text)
             letters = tuple(remark for remark in reading.remarks if remark.kind == "letter")
             finding = replace(finding, remarks=(*finding.remarks, *letters)) if letters else finding
-            if finding.right:
+            if finding.right and not by_numbers_alone(finding):
                 return finding
-            first = first or finding
+            first = finding if first is None or (by_numbers_alone(finding) and first.outcome == WRONG) else first
         assert first is not None
         return first
 
@@ -223,6 +276,7 @@ class WorkingJudge:
             (None if unitless else self.misfit(left, right))
             or self.sign(left, right)
             or self.mistake(left, right)
+            or self.equal_for_numbers(left, right)
             or Finding(WRONG)
         )
 
@@ -292,6 +346,20 @@ class WorkingJudge:
 
     # what is wrong
 
+    def equal_for_numbers(self, left: Formula, right: Formula) -> Finding | None:
+        """The finding for a line that holds for the scene's own numbers alone: a = g/2 where M = 2 m. One in which nothing was put in that
+        shows, as m g = M a or T = m a, may be another law that holds by chance: nothing is decided."""
+        sides, values = [self.told(side) for side in (left, right)], self.letters.values
+        if not worth_the_same(sides[0], sides[1], values):
+            return None
+        names = left.symbols() | right.symbols()
+        unknown, lacks = names - self.letters.givens, sides[0].symbols() ^ sides[1].symbols()
+        put = letters_put_in(sides[0], sides[1], lacks, values, self.same)
+        solved = any(isinstance(side, Symbol) for side in (left, right)) or not names.issuperset(put)
+        if len(unknown) > 1 or (unknown and not solved):
+            return found(UNDECIDED, NUMBERS_ALONE, "it holds for the numbers of the scene, not in letters")
+        return found(RIGHT, NUMBERS_ALONE, "right with the number of ", *listed_letters(put), " put in")
+
     def misfit(self, left: Formula, right: Formula) -> Finding | None:
         """Sides that measure different things; None where they do not, or where that is not known."""
         known = self.dimensions(left.symbols() | right.symbols())
@@ -340,14 +408,32 @@ class WorkingJudge:
         return None
 
 
-def equations_of(text: str) -> Iterator[tuple[str, int]]:
-    """The equations of a line, and where they begin: a = b, b = c of the chain a = b = c."""
+def statements_of(text: str) -> list[tuple[str, int]]:
+    """The statements of a line, and where they begin: I = ½ M R², ω = v/R; the whole of it where one of them is no equation."""
+    cuts, depth = [(0, 0)], 0
+    for sign in BETWEEN.finditer(text):
+        depth += (sign[0] in "([{") - (sign[0] in ")]}")
+        if not depth and sign[0] not in "()[]{}":
+            cuts.append(sign.span())
+    ends = [start for start, _ in cuts[1:]] + [len(text)]
+    parts = [(text[start:end], start) for (_, start), end in zip(cuts, ends, strict=True)]
+    parts = [part for part in parts if part[0].strip(" .$")]
+    return parts if len(parts) > 1 and all("=" in part for part, _ in parts) else [(text, 0)]
+
+
+def equations_of(text: str, at: int = 0) -> Iterator[tuple[str, int]]:
+    """The equations of a statement that begins at a place, and where they begin: a = b, b = c of the chain a = b = c."""
     pieces = [match.span() for match in re.finditer("[^=]+", text)]
     if len(pieces) < 3:
-        yield text, 0
+        yield text, at
         return
     for (start, _), (_, end) in pairwise(pieces):
-        yield text[start:end], start
+        yield text[start:end], at + start
+
+
+def by_numbers_alone(finding: Finding) -> bool:
+    """Whether a line was found to hold for the scene's own numbers only."""
+    return any(remark.kind == NUMBERS_ALONE for remark in finding.remarks)
 
 
 def one_is_a_number(left: Formula, right: Formula) -> bool:

@@ -129,6 +129,8 @@ class AnswerParser:
             angle = self.pointed(list(line.angle))
             return polar_vector(self.pointed(line.tokens), angle, line.polar, self.forks)
         axes = by_axes(line.tokens, self.names.letters, self.names.components)
+        if axes is not None and self.names.asked and not self.names.components:
+            self.check_is_joule(axes)
         if axes is not None:
             return read_axes(self.text, axes, self.names.components, self.forks, self.value)
         listed = read_list(self.text, line.tokens, self.names.components, self.forks, self.value)
@@ -136,6 +138,13 @@ class AnswerParser:
             return listed
         value, direction = self.pointed(line.tokens), line.direction
         return replace(value, direction=direction, written=f"{value.text} {direction}") if direction else value
+
+    def check_is_joule(self, axes: list[Token]) -> None:
+        """A j behind a number that is no vector is the unit."""
+        last = axes[-2]
+        alone = [token for token in axes if token.kind in ("axis", "name")] == [last]
+        if alone and last.text == "j" and len(axes) > 2:
+            raise FormulaError("unknown unit `j`", last.start, last.end, "J")
 
     def pointed(self, tokens: list[Token]) -> LineReading:
         """A value in which commas may be decimal ones."""

@@ -14,10 +14,18 @@ from rotsolve.grading.reading.records import AnswerError, Names
 
 _SIGN = r"<=|>=|[<>≤≥⩽⩾]|\\(?:leq?|geq?|lt|gt)(?![A-Za-z])"
 _BEHIND = re.compile(
-    rf"[\s,]*(?P<open>\()?\s*\b(?:if|when|for|where|while|provided(?:\s+that)?|as\s+long\s+as)\b(?P<said>.*(?:{_SIGN}).*)$",
+    rf"[\s,]*(?P<open>\()?\s*\b(?:if|when|for|where|while|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|für)\b(?P<said>.*(?:{_SIGN}).*)$",
     re.IGNORECASE,
 )
-_REST = re.compile(r"[\s,(]*\b(?:otherwise|else)\b[\s.)]*$", re.IGNORECASE)
+_REST = re.compile(r"[\s,(]*\b(?:otherwise|else|sonst)\b[\s.)]*$", re.IGNORECASE)
+_ELSE = re.compile(r"[\s,(]*\b(?:otherwise|else|sonst)\b[\s,:]+(?P<text>\S.*)$", re.IGNORECASE)
+# before `else 0`, `, 0 otherwise`
+_NEXT = re.compile(
+    r";|,?\s*(?=\b(?:else|otherwise|sonst)\b\s*[^\s.)])|,(?=[^,;]*\b(?:else|otherwise|sonst)\b[\s.)]*$)", re.IGNORECASE
+)
+CONDITIONAL = re.compile(
+    rf"\b(?:if|when|for|where|while|provided|as long as|falls|wenn|für)\b.*(?:{_SIGN})", re.IGNORECASE
+)
 _AND = re.compile(r"\band\b|[,&]|\\land\b", re.IGNORECASE)
 _SIGNS = {
     "<=": "≤",
@@ -45,13 +53,16 @@ def claims_in(text: str, names: Names) -> tuple[Claim, ...]:
     if not re.search(_SIGN, text):
         return ()
     try:
-        return tuple(claim_of(piece, names) for piece in text.split(";") if piece.strip())
+        return tuple(claim_of(piece, names) for piece in _NEXT.split(text) if piece.strip())
     except AnswerError:
         return ()
 
 
 def claim_of(text: str, names: Names) -> Claim:
     """One answer with what stands behind it."""
+    first = _ELSE.match(text)
+    if first is not None:
+        return Claim(first["text"], ())
     rest = _REST.search(text)
     if rest is not None:
         return Claim(text[: rest.start()], ())

@@ -1,6 +1,6 @@
 """Lines: what stands round the values of a line: words that say nothing of it, directions, signs of equality, decimal commas.
 
-Blanks take the place of words as `about`, `± 0.01` or `with g = 9.81`, so that every other character keeps its column. Of a chain
+Blanks take the place of words as `about`, so that every other character keeps its column. Of a chain
 `a = 2/3 · 9.81 · 0.5 = 3.27 m/s²` the last member is the answer, the others are the way to it. A decimal comma is read as a point, with a
 remark; so are groups of three digits.
 """
@@ -10,11 +10,19 @@ from __future__ import annotations
 import re
 
 from rotsolve.algebra.notation.cursor import Forks
-from rotsolve.algebra.notation.letters import spellings
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token
-from rotsolve.grading.reading.numbers import are_letters, could_be_number, cut_at_unit, is_kind, likely_number
+from rotsolve.grading.reading.numbers import (
+    are_letters,
+    could_be_number,
+    cut_at_unit,
+    is_kind,
+    is_unit_run,
+    likely_number,
+)
+from rotsolve.grading.reading.prose import LEADING
 from rotsolve.grading.reading.records import Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, tokens_of
+from rotsolve.grading.reading.vocabulary import run_meaning
 from rotsolve.grading.verdict import Remark
 
 _ABOUT = re.compile(
@@ -23,8 +31,18 @@ _ABOUT = re.compile(
 _TRANSPOSED = re.compile(
     r"(?<=[\])}])\s*(?:\^\s*(?:\{\s*)?(?:\\(?:top|mathsf\{T\}|mathrm\{T\}|intercal)|T(?![A-Za-z]))(?:\s*\})?|ᵀ)"
 )
-_ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
+_TIMES_TEN = re.compile(r"(?<=[0-9])(?P<gap>\s*)[xX](?=\s*10\s*(?:\^|\*\*|[⁻⁰¹²³⁴-⁹]))")  # 5.12x10^-1
+_THOUSANDS = re.compile(
+    r"(?<![\w.,^])[0-9]{1,3}(?:(?:[ \u00a0\u2009\u202f'’]|\\,)[0-9]{3})+(?![\w^]|[⁻⁰¹²³⁴-⁹])"
+)  # 14 700
+_ASIDE = re.compile(r"(?<=[\w.²³°)])\s+\((?P<words>[A-Za-zäöüß][A-Za-zäöüß ,'’-]+)\)[\s.]*$")
+_DENIES = frozenset(("not", "no", "or", "if", "when", "wrong", "nicht", "oder", "falls", "wenn", "minus", "times"))
+LEAST_WORD = 3  # letters of a word in an aside, else they may be letters of the scene
 _IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|(?<=\s)is\b)(?=\s*\S)")
+_SIGNED = r"[-+−]?\d+(?:[.,]\d+)?"
+_SPACED = re.compile(rf"[\[(](?P<numbers>\s*{_SIGNED}(?:\s+{_SIGNED})+\s*)[\])]")
+_BARRED = re.compile(r"[\[(](?P<parts>[^|;()\[\]]*(?:\|[^|;()\[\]]+)+)[\])]")
+_JUST_NAMED = re.compile(r"\s*([^\W\d_]\w*)\s(?=\s*[-+−]?[\d.])")  # a 2.96 m/s²
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
 _PER = re.compile(  # metres per second squared
     r"(?<=[A-Za-z²³Å\d])(?P<blank>\s+)(?P<word>per|pro|je|squared|cubed|zum [Qq]uadrat|hoch zwei|hoch drei)\b"
@@ -38,12 +56,8 @@ _SECONDS = re.compile(  # else it is the secant
     r"(?<=[\d\s/·*])secs?(?![A-Za-z])\.?(?=\s*(?:\^?\(?[-−]?\d\)?|[⁻²³¹]+)?\s*(?:$|[/;,)*·]|per\b|squared|cubed))"
 )
 _SQUARE = re.compile(
-    r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?))\b"
+    r"(?P<power>square|cubic|Quadrat|Kubik)(?P<gap>\s*)(?P<unit>[a-zµ]*(?:met(?:er|re)s?|inch(?:es)?|feet|foot|yards?|sekunden?|seconds?))\b"
 )
-_CLAUSE = re.compile(
-    r"(?:[,;(]|\b(?:with|where|for|taking|using|and)\b)\s*(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
-)
-
 _DIRECTIONS = {
     "left": r"left(?:wards?)?|←|\\leftarrow",
     "right": r"right(?:wards?)?|→|\\rightarrow",
@@ -82,19 +96,53 @@ def without_asides(text: str, names: Names) -> str:
     """The line without words that say nothing of its value."""
     if _ABOUT.search(text):
         text = _ABOUT.sub(lambda match: match["before"] + blanks(match[0][len(match["before"]) :]), text)
-    text = _ERROR.sub(lambda match: blanks(match[0]), text)
     if "," in text or ";" in text or "&" in text:
         text = _TRANSPOSED.sub(lambda match: blanks(match[0]), text)
+    if names.components > 1:
+        text = with_parting_marks(text, names.components)
+    elif names.asked not in names.givens and (told := _JUST_NAMED.match(text)) and names.is_asked(told[1]):
+        text = f"{text[: told.end() - 1]}={text[told.end() :]}"
     text = _IS.sub(lambda match: f"{match['name']}{'=':>{len(match['sign'])}}", text)
     text = _PER.sub(lambda match: match["blank"] + _PER_MARKS[match["word"]].ljust(len(match["word"])), text)
     text = _SECONDS.sub(lambda match: "s".ljust(len(match[0])), text)
     text = _SQUARE.sub(powered_behind, text)
     text = _CAPITAL.sub(lambda match: match[0].lower(), text)
-    clause = _CLAUSE.search(text)
-    before = "" if clause is None else text[: clause.start()].rstrip(" ,;")
-    if clause is not None and before and not names.givens.isdisjoint(spellings(clause["name"])):
-        text = before.ljust(len(text))
     return text
+
+
+def with_parting_marks(text: str, count: int) -> str:
+    """The components of a vector parted by `;` where there are `count` with blanks between, `[5 -5 -5]`, or bars: `(5|-5|-5)`."""
+    spaced = _SPACED.search(text)
+    if spaced is not None and len(spaced["numbers"].split()) == count:
+        numbers = re.sub(r"\s(?=\S)", ";", spaced["numbers"].strip()).rjust(len(spaced["numbers"].rstrip()))
+        return text[: spaced.start("numbers")] + numbers.ljust(len(spaced["numbers"])) + text[spaced.end("numbers") :]
+    barred = _BARRED.search(text)
+    if barred is not None and barred["parts"].count("|") == count - 1 and text.count("|") == count - 1:
+        return text.replace("|", ";")
+    return text
+
+
+def with_plain_numbers(text: str, names: Names) -> str:
+    """The line with a mark for the x of `5.12x10^-1`, and without the gaps of `14 700`, each in its columns."""
+    if "x" not in names.letters and "X" not in names.letters:
+        text = _TIMES_TEN.sub(r"\g<gap>*", text)
+    return _THOUSANDS.sub(lambda match: re.sub(r"[^0-9]", "", match[0]).rjust(len(match[0])), text)
+
+
+def cut_aside(text: str, names: Names) -> tuple[str, str]:
+    """The line without the words in brackets behind its number, `14.7 J (friction)`, and these; '' where they may say something else."""
+    match = _ASIDE.search(text)
+    words = [] if match is None else re.findall(r"[^\W\d_]+", match["words"])
+    if match is None or not any(char.isdigit() for char in text[: match.start()]):
+        return text, ""
+    means_more = any(
+        len(word) < LEAST_WORD or word.lower() in _DENIES or is_unit_run(word) or run_meaning(word, names.letters)
+        for word in words
+        if word.lower() not in LEADING
+    )
+    if means_more or direction_behind(text, 0)[0]:
+        return text, ""
+    return text[: match.start()], match[0].strip(" .")
 
 
 def powered_behind(match: re.Match[str]) -> str:

@@ -201,30 +201,29 @@ def read_number_with_unit(text: str, parts: NumberAndUnit, forks: Forks) -> Line
     number = list(parts.number)
     value = read_formula(text, number, NO_NAMES, forks)
     unit = read_unit(text, list(parts.unit), forks) if parts.has_unit else None
-    written, figures = decimal_literal(number)
+    written, figures, zeros = decimal_literal(number)
     shown = written or echo(value)
-    return LineReading(NUMBER, unit.after(shown) if unit else shown, value, unit, figures)
+    return LineReading(NUMBER, unit.after(shown) if unit else shown, value, unit, figures, zeros=zeros)
 
 
-def decimal_literal(tokens: list[Token]) -> tuple[str, int | None]:
-    """A decimal number as it is printed, and its significant figures; nothing for what is no plain decimal.
-
-    Zeros at the end of a whole number do not count: 1200 may be told to two figures.
+def decimal_literal(tokens: list[Token]) -> tuple[str, int | None, int]:
+    """A decimal number as it is printed, its significant figures, and how many of these are zeros at the end of a whole number, which need
+    not count: 1200 may be told to two figures. Nothing for what is no plain decimal.
     """
     if tokens[0].kind == "(" and tokens[-2].kind == ")":
         tokens = [*tokens[1:-2], tokens[-1]]
     sign = "−" if tokens[0].kind == "-" else ""
     plain = tokens[tokens[0].kind in ("-", "+") : -1]
     if not plain or plain[0].kind != "number":
-        return "", None
+        return "", None, 0
     mantissa, _, exponent = plain[0].text.lower().partition("e")
     power = exponent.replace("−", "-") or _exponent_of_ten(plain[1:])
     if power is None:
-        return "", None
+        return "", None, 0
     digits = mantissa.replace(".", "").lstrip("0")
-    figures = len(digits if "." in mantissa else digits.rstrip("0"))
+    zeros = 0 if "." in mantissa else len(digits) - len(digits.rstrip("0"))
     raised = f"×10{superscripted(int(power))}" if power else ""
-    return f"{sign}{mantissa}{raised}", max(figures, 1)
+    return f"{sign}{mantissa}{raised}", max(len(digits), 1), zeros
 
 
 def _exponent_of_ten(tokens: list[Token]) -> str | None:

@@ -23,15 +23,13 @@ SAYS = frozenset(
     ("is", "are", "equals", "ist", "sind", "beträgt", "be", "gives", "yields", "was")
 )  # what stands for `=`
 _WORD = re.compile(r"[A-Za-zäöüßÄÖÜ]+(?:['’-][A-Za-z]+)*(?!\w)")
-_JOIN = (
-    r"[,;:]|\.(?=\s)|→|⇒|⟹|⟶|=>|[-–]+>|∴|\\(?:Longr|R|r)ightarrow(?![A-Za-z])|\\(?:implies|to|therefore)(?![A-Za-z])"
-)
-_JOINING = r"so|hence|thus|therefore|then|giving|gives?|yields?|and|which|also|daher|somit|folglich"
+JOIN = r"[,;:]|\.(?=\s)|→|⇒|⟹|⟶|=>|[-–]+>|∴|\\(?:Longr|R|r)ightarrow(?![A-Za-z])|\\(?:implies|to|therefore)(?![A-Za-z])"
+JOINING = r"so|hence|thus|therefore|then|giving|gives?|yields?|and|which|also|daher|somit|folglich"
 _EQUALS = r"(?:[=≈≃]|\\(?:approx|simeq)(?![A-Za-z]))"
 _NAME = r"\\?[^\W\d_](?:\w|\{[^{}]*\}|\\(?=[a-z]))*"
 # what joins statements, a few words, and a name that is told: `, so we get v =`
 _AGAIN = re.compile(
-    rf"(?:{_JOIN}|(?<![\w\\])(?:{_JOINING})(?!\w))(?P<words>(?:[\s$,]*[A-Za-zäöüß'’]+(?=[\s,$]))*[\s$,]*)(?P<name>{_NAME})\s*(?:\(t\))?\s*{_EQUALS}"
+    rf"(?:{JOIN}|(?<![\w\\])(?:{JOINING})(?!\w))(?P<words>(?:[\s$,]*[A-Za-zäöüß'’]+(?=[\s,$]))*[\s$,]*)(?P<name>{_NAME})\s*(?:\(t\))?\s*{_EQUALS}"
 )
 _FIRST = re.compile(rf"[\s$]*(?P<name>{_NAME})[\s$]*{_EQUALS}")
 _SIGN = re.compile(r"[\s$]*(?:∴|⇒|⟹|→|=>|[-–]>|\\(?:Rightarrow|implies|therefore|to)(?![A-Za-z]))[\s$]*")
@@ -61,6 +59,27 @@ SYNONYMS = {  # other words for what is asked
     "energy": "energie",
     "angular_momentum": "drehimpuls",
     "torque": "moment drehmoment couple",
+    "ball": "kugel",
+    "sphere": "kugel",
+    "disc": "scheibe",
+    "cylinder": "zylinder walze",
+    "block": "klotz quader",
+    "rod": "stab stange",
+    "ring": "reifen",
+    "hoop": "reifen",
+    "wheel": "rad",
+    "pulley": "rolle",
+    "drum": "trommel",
+    "string": "seil faden schnur",
+    "rope": "seil",
+    "cart": "wagen",
+    "bucket": "eimer",
+    "stone": "stein",
+    "man": "mann",
+    "table": "tisch drehtisch",
+    "plank": "brett",
+    "plate": "platte",
+    "spring": "feder",
     "power": "leistung",
     "work": "arbeit",
 }

@@ -57,6 +57,8 @@ class Names(Struct, frozen=True, dict=True):
 
     def is_asked(self, typed: str) -> bool:
         """Whether a spelling means the quantity that is asked for: `ω₀` is omega0."""
+        if not typed:
+            return False
         if typed == self.asked or self.asked in spellings(typed):
             return True
         return typed not in self.letters and (spelled_alike(typed, self.asked) or self.is_near(typed))
@@ -87,7 +89,8 @@ class LineReading(Struct, frozen=True):
     `unit` is the unit as typed, `figures` the significant figures of a number, None where it is exact (1/2, √3) or worked out.
     `parts` are the components of a vector; where it was told by size and direction, `polar` holds these two as typed.
     `basis` is the first of the unit vectors by which one is told, "i", "e_x" or "e_1". `direction` is that of a number told in words:
-    "down", "clockwise". `cut` says that the line can be read in more ways than were tried.
+    "down", "clockwise". `cut` says that the line can be read in more ways than were tried. `zeros` are those of the figures that need not
+    count, at the end of a whole number.
     """
 
     kind: str
@@ -102,6 +105,7 @@ class LineReading(Struct, frozen=True):
     polar: tuple[LineReading, ...] = ()
     direction: str = ""
     basis: str = ""
+    zeros: int = 0
 
     @property
     def text(self) -> str:

@@ -47,7 +47,7 @@ _HINT = re.compile(
 # What is rare is compiled when a line first needs it.
 _SPLIT = (
     r"(?:\s*(?<!\\)[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|(?<!\\)(?:;|(?<![0-9]),|,(?![0-9])))(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
-    r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
+    r"(?=(?:[^,;]|(?<=[0-9]),(?=[0-9]))*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
 )
 _DIRECTION_WORD = (
     r"above|below|under|over|up(?:wards?)?|down(?:wards?)?|left|right|of|to|from|with|the|horizontal|vertical|negative|positive|and|on|side"
@@ -368,12 +368,13 @@ def without_brackets(tokens: list[Token]) -> list[Token]:
 
 
 class SizeAndAngle(Struct, frozen=True):
-    """A line cut into a size, up to `end`, and an angle from `start` to `stop`, with the words behind it."""
+    """A line cut into a size, up to `end`, and an angle from `start` to `stop`, with the words behind it and the `direction` before it."""
 
     end: int
     start: int
     stop: int
     words: frozenset[str]
+    direction: str = ""
 
     def any(self, *words: str) -> bool:
         return not self.words.isdisjoint(words)
@@ -386,13 +387,16 @@ def cut_polar(text: str, start: int) -> SizeAndAngle | None:
     match = re.compile(_SPLIT).search(text, start)
     if match is None:
         return None
-    size = text[start : match.start()]
+    said = re.compile(_PHRASE).search(text[: match.start()], start)  # 5 N, up and to the left, at 53°
+    end = match.start() if said is None or not said[0].strip(" ,.$)-") else said.start()
+    size = text[start:end].rstrip(" ,")
     if not size.strip() or size.count("(") != size.count(")"):
         return None
     phrase = re.compile(_PHRASE).search(text, match.end())
     assert phrase is not None
-    words = frozenset(re.findall(r"[a-z]+|[-−](?=[xy])", phrase[0].lower()))
-    return SizeAndAngle(match.start(), match.end(), phrase.start(), words)
+    words = frozenset(re.findall(r"[a-z]+|[-−](?=[xy])", f"{text[end : match.start()]} {phrase[0]}".lower()))
+    direction = text[end : match.start()].strip(" ,")
+    return SizeAndAngle(start + len(size), match.end(), phrase.start(), words, direction)
 
 
 def counterclockwise_angle(angle: Formula, half: Formula, cut: SizeAndAngle, forks: Forks) -> Formula:
@@ -434,4 +438,5 @@ def polar_vector(size: LineReading, angle: LineReading, cut: SizeAndAngle, forks
         text = to_text(value) if size.unit is None else size.unit.after(to_text(value))
         parts.append(LineReading(size.kind, text, value, size.unit, size.figures))
     written = f"{size.text} at {shown}"
-    return LineReading(VECTOR, written, unit=size.unit, parts=tuple(parts), remarks=remarks, polar=(size, angle))
+    polar = (replace(size, direction=cut.direction), angle)
+    return LineReading(VECTOR, written, unit=size.unit, parts=tuple(parts), remarks=remarks, polar=polar)

@@ -10,6 +10,7 @@ from typing import Any
 
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import printable
+from rotsolve.grading.comparing.formulas import NUMBERS_ALONE
 from rotsolve.grading.course.analysis import FEW, complete_papers, part_figures
 from rotsolve.grading.course.marked import MarkedSheet
 from rotsolve.grading.course.report.results import MarkedClass, Result
@@ -30,7 +31,13 @@ LEGEND = (
 )
 CLASSES = 10  # of the distribution
 COMMONEST = 20
-NO_MISTAKES = ("followed", "comma", "chain", "numbers")  # kinds of remarks that tell of no mistake of their own
+NO_MISTAKES = (
+    "followed",
+    "comma",
+    "chain",
+    "numbers",
+    NUMBERS_ALONE,
+)  # kinds of remarks that tell of no mistake of their own
 
 
 class SummaryPage(Page, frozen=True):
