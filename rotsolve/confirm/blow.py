@@ -187,9 +187,13 @@ def without_pulls(
 
 def into(parted: list[Row], found: Dynamics) -> bool:
     """Whether what let go would go into what it touched: with less friction, or more, it is pushed after all."""
-    size = max(map(abs, found.rates), default=0.0)
-    gaps = (sum([part * found.rates[k] for k, part in row.slope.items()]) - (row.bend or 0.0) for row in parted)
-    return any(gap < -1e-9 * size for gap in gaps)
+    least = -1e-9 * max(map(abs, found.rates), default=0.0)
+    for row in parted:
+        opens = sum([part * found.rates[index] for index, part in row.slope.items()]) - (row.bend or 0.0)
+        along = sum([part * row.column.get(index, 0.0) for index, part in row.slope.items()])  # less than 0 of what pulls
+        if math.copysign(opens, opens * along) < least:
+            return True
+    return False
 
 
 def met(model: Known, before: Placed, event: Event) -> Placed:
