@@ -119,6 +119,8 @@ def friction_force(at: Node, path: Path, term: Term | None) -> Reckoned:
     sticks = (path.owner, "friction") in at.moment.reactions  # what slips is told by its push
     at.told(path.owner, *(("friction",) if sticks else ("friction", "normal")))
     sizes = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "friction"]
+    if not sizes and any((owner, kind) == (path.owner, "torque") for owner, kind, _ in at.sizes):
+        raise NotConfirmed(f"what the friction of `{path.owner}`, spread over a face, is in all")
     normal = [size for owner, kind, size in at.sizes if owner == path.owner and kind == "normal"]
     found = number(abs(sizes[0]) if sizes else 0.0, abs(normal[0]) if normal else 0.0, sized=True)
     first = [ref.owner for ref in element(at, path.owner).touches() if ref.owner in at.model.seats][:1]
