@@ -190,7 +190,9 @@ def into(parted: list[Row], found: Dynamics) -> bool:
     least = -1e-9 * max(map(abs, found.rates), default=0.0)
     for row in parted:
         opens = sum([part * found.rates[index] for index, part in row.slope.items()]) - (row.bend or 0.0)
-        along = sum([part * row.column.get(index, 0.0) for index, part in row.slope.items()])  # less than 0 of what pulls
+        along = sum(
+            [part * row.column.get(index, 0.0) for index, part in row.slope.items()]
+        )  # less than 0 of what pulls
         if math.copysign(opens, opens * along) < least:
             return True
     return False
