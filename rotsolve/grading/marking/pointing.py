@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from msgspec.structs import astuple
 
 from rotsolve.core.symbols import key_of
-from rotsolve.elements.surfaces import Slope
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.language.problem import Find, PointRef, Problem
@@ -45,7 +44,7 @@ def level_side(problem: Problem, find: Find, direction: str) -> str:
     if where != SLOPE or way not in ("up", "down"):
         return ""
     owner = find.terms[0].path.owner if find.terms else ""
-    slopes = {surface.name: surface.down for surface in problem.surfaces if isinstance(surface, Slope)}
+    slopes = {surface.name: side for surface in problem.surfaces if (side := surface.low_side())}
     touched = {
         name for one in problem.connections if owner in (held := owners_in(one)) for name in held & slopes.keys()
     }
