@@ -118,11 +118,11 @@ def wrong(subject: Subject, random: Random) -> str:
 
 
 def two_ways(subject: Subject, random: Random) -> str:
-    """A form whose brackets are left out: 1/2 in front, or a product below a slash."""
+    """A form whose brackets are left out: a product below a slash."""
     letters = sorted(name for name in subject.letters if name.isalpha() and len(name) == 1)
     chosen = random.choices(letters or ["π"], k=random.randint(1, 3))
     product = "".join(sorted(chosen, reverse=True))  # so that they are no tan
-    return f"{random.randint(1, 999)}/{random.randint(2, 999)}{product}^2"
+    return f"{random.randint(2, 999)} {random.choice(letters or ['π'])}/{random.randint(2, 999)}{product}^2"
 
 
 def quantity(subject: Subject, random: Random) -> str:

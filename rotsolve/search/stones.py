@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import is_key, key_of
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import NoAnswer
@@ -62,7 +63,7 @@ class Stones:
         other = self._beside(confirming=False)
         try:
             other.step(stone)
-        except ValueError:
+        except (ValueError, Unsolvable):  # of which either sense would do
             return False
         other.confirming = True
         return self._answered(other)

@@ -218,7 +218,8 @@ def test_a_right_number_is_right_in_every_spelling_and_another_is_wrong(unit: st
         ("10.89 pm", WRONG),
         ("10.89 mps", WRONG),
         ("10.89 min", WRONG),
-        ("10.89 Newtons of force", UNDECIDED),
+        ("10.89 Newtons of force", RIGHT),
+        ("10.89 Newtons of Mg", UNDECIDED),
     ],
 )
 def test_letters_of_the_scene_come_first(text: str, outcome: str) -> None:
