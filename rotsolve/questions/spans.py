@@ -24,6 +24,8 @@ from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size, whole_vector
 from rotsolve.paths.shares import joined, named_last
 
+NET = "net"  # names all forces together
+
 
 def impulse(path: Path, interval: str, scene: SceneEquations) -> Formula:
     """The impulse of a support or blow in an event, or of an action or connection over a phase."""
@@ -113,6 +115,9 @@ def impulse_over(path: Path, passage: Passage, scene: SceneEquations) -> Formula
         if body.name == last:
             sense = sense_on(path.owner, body, instant)
             pairs += zip(efforts(path, first, sense), efforts(path, body, sense), strict=True)
+    if not pairs:
+        help = f"ask for its force, or for the change of the angular momentum of `{last}`"
+        raise NotYet(f"the impulse of `{path.owner}`, which turns `{last}` alone, is not solved yet", help=help)
     if any(running(effort.symbols()) for _, effort in pairs):
         word = path.quantity.replace("_", " ")
         raise NotYet(f"the {word} of `{path.owner}`, which varies with the motion, is not solved yet")
@@ -170,6 +175,8 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
         return work_in_event(path.owner, interval, scene)
     if path.component == "gravity":
         return work_of_weight(path.owner, passage, scene)
+    if path.component not in (None, NET):
+        return work_of_one(path, passage, interval, scene)
     works = [work for work in passage.works if path.owner == work.owner]
     if path.owner in scene.configuration.bodies and not works:  # else its own, of a man who draws his arms in
         return net_work(path.owner, passage, scene)
@@ -182,9 +189,24 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
     return total([work.amount for work in works])
 
 
+def work_of_one(path: Path, passage: Passage, interval: str, scene: SceneEquations) -> Formula:
+    """Work on a body of what its path names, where that acts on no other body: then it is all that it does."""
+    name = path.component
+    assert name is not None
+    acted = [body.name for body in passage.midst.bodies if any(item.owner == name for item in body.acting)]
+    instant = scene.instant(passage.start.state)
+    if acted != [instant.host(path.owner)] or joined(path.owner, instant):
+        help = f"ask for `{name}.work`, which is that on all that it touches, or for `{path.owner}.work.{NET}`"
+        raise NotYet(f"the work of `{name}` on `{path.owner}` alone is not solved yet", help=help)
+    return work_done(Path(name, "work"), interval, scene)
+
+
 def work_in_event(owner: str, interval: str, scene: SceneEquations) -> Formula:
     """J · (v₁ + v₂)/2 of the blows of an event at the points that they strike, minus the energy lost in it; of all else none."""
     encounter, found = scene.encounters.get(interval), scene.configuration.timeline.interval(interval)
+    if encounter is not None and owner in scene.configuration.bodies and struck(owner, interval, scene):
+        help = f"ask for `change of {owner}.kinetic_energy`, or for the work in a phase alone"
+        raise NotYet(f"the work done on `{owner}` in a blow is not solved yet", help=help)
     if encounter is None or found is None or owner not in encounter.givers:
         return ZERO
     works: list[Formula] = []
@@ -193,6 +215,14 @@ def work_in_event(owner: str, interval: str, scene: SceneEquations) -> Formula:
         for blow in (blow for blow in item.blows if blow.owner == owner):
             works += [blow.vector.dot(motion.velocity_of(blow.arm)) / 2 for motion in motions]
     return total(works)
+
+
+def struck(name: str, interval: str, scene: SceneEquations) -> bool:
+    """Whether a body is changed in its motion by the blows of an event."""
+    found = scene.configuration.timeline.interval(interval)
+    assert found is not None
+    hosts = {scene.instant(state).host(name) for state in (found.start, found.end)}
+    return any(item.body.name in hosts and item.blows for item in scene.encounters[interval].meetings)
 
 
 def net_work(name: str, passage: Passage, scene: SceneEquations) -> Formula:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 import pytest
@@ -265,7 +266,10 @@ def test_what_lets_go_on_the_way_is_named_and_the_data_are_not_blamed(name: str)
     with pytest.raises(Unsolvable) as refused:
         solve(f"title: {name}{LETS_GO[name]}")
     assert f"`{name}` lets go on the way from `start` to `end`" in refused.value.fault.message
-    assert refused.value.fault.kind in (UNSOLVED, "unsolvable")  # not that the scene is incomplete, or contradicts itself
+    assert refused.value.fault.kind in (
+        UNSOLVED,
+        "unsolvable",
+    )  # not that the scene is incomplete, or contradicts itself
 
 
 def test_words_of_one_body_and_of_a_bounce_that_are_not_solved() -> None:
@@ -385,3 +389,69 @@ find: {{a: wheel.acceleration at end}}
 """
     with pytest.raises(Unsolvable, match=f"`under` has no friction: nothing {word} there"):
         solve(scene)
+
+
+SUMS = {  # over a blow, and of one of several forces: what is told, and what is refused because it would be another sum
+    "the work of all forces in a blow": (
+        "hit: {impulse: 4 N s, on: b, direction: right, from: s, to: a}",
+        "W: b.work during hit",
+        "the work done on `b` in a blow is not solved yet",
+    ),
+    "the same, over the blow and what follows": (
+        "hit: {impulse: 4 N s, on: b, direction: right, from: s, to: a}",
+        "W: b.work.net from s to a",
+        "the work done on `b` in a blow is not solved yet",
+    ),
+}
+STRUCK_BLOCK = """
+surfaces: {{ice: level}}
+bodies: {{b: {{mass: 2 kg, moves: right}}}}
+connections: {{base: {{contact: [b, ice]}}}}
+states: {{s: {{b.velocity: 3 m/s}}, a: {{}}}}
+events: {{{event}}}
+find: {{{question}}}
+"""
+
+
+@pytest.mark.parametrize(("event", "question", "message"), SUMS.values(), ids=SUMS)
+def test_sums_that_are_not_told_are_refused(event: str, question: str, message: str) -> None:
+    with pytest.raises(Unsolvable, match=message):
+        solve("title: struck" + STRUCK_BLOCK.format(event=event, question=question))
+
+
+def test_the_impulse_of_a_belt_over_a_phase_is_no_nothing() -> None:
+    with pytest.raises(Unsolvable, match="the impulse of `strap`, which turns `b` alone, is not solved yet"):
+        solve(
+            "title: belt\nbodies: {a: {inertia: 1 kg m^2, radius: 10 cm}, b: {inertia: 2 kg m^2, radius: 30 cm}}\n"
+            "connections: {x: {axle: a}, y: {axle: b}, strap: {belt: [a, b]}}\nactions: {mot: {couple: 2 N m, on: a}}\n"
+            "states: {s: {a.angular_velocity: 3 rad/s}, e: {time: 4 s}}\nfind: {q: strap.impulse from s to e}\n"
+        )
+
+
+def test_the_work_on_a_body_of_one_force_is_not_that_of_all() -> None:
+    """μ m g d, F d and their sum, and the mean power of the friction."""
+    found = solve("""title: pulled
+given: {m: 2 kg, F: 30 N, mu: 0.2, d: 3 m}
+surfaces: {floor: level}
+bodies: {block: {mass: m, moves: right}}
+connections: {base: {contact: [block, floor], friction: mu}}
+actions: {pull: {force: F, on: block, direction: right}}
+states: {start: at rest, end: {block.displacement: d}}
+find:
+  W: block.work.base from start to end
+  W2: block.work.pull from start to end
+  N: block.work.net from start to end
+  P: mean block.power.base from start to end
+""")
+    rub = -0.2 * 2 * 9.8 * 3
+    took = math.sqrt(2 * 3 / ((30 - 0.2 * 2 * 9.8) / 2))
+    assert [found[name].float for name in ("W", "W2", "N", "P")] == pytest.approx([rub, 90, 90 + rub, rub / took])
+
+
+def test_the_work_on_a_body_of_what_acts_on_several_is_refused() -> None:
+    with pytest.raises(Unsolvable, match="the work of `rope` on `a` alone is not solved yet"):
+        solve(
+            "title: pair\nbodies: {a: {mass: 1 kg, moves: up}, b: {mass: 2 kg, moves: down}, wheel: {shape: disc, mass: 1 kg, radius: 1 m}}\n"
+            "connections: {pin: {axle: wheel}, rope: {string: [a, wheel, b]}}\nstates: {s: at rest, e: {b.displacement: 1 m}}\n"
+            "find: {W: a.work.rope from s to e}\n"
+        )
