@@ -451,7 +451,8 @@ find:
 def test_the_work_on_a_body_of_what_acts_on_several_is_refused() -> None:
     with pytest.raises(Unsolvable, match="the work of `rope` on `a` alone is not solved yet"):
         solve(
-            "title: pair\nbodies: {a: {mass: 1 kg, moves: up}, b: {mass: 2 kg, moves: down}, wheel: {shape: disc, mass: 1 kg, radius: 1 m}}\n"
+            "title: pair\nbodies: {a: {mass: 1 kg, moves: up}, b: {mass: 2 kg, moves: down}, "
+            "wheel: {shape: disc, mass: 1 kg, radius: 1 m}}\n"
             "connections: {pin: {axle: wheel}, rope: {string: [a, wheel, b]}}\nstates: {s: at rest, e: {b.displacement: 1 m}}\n"
             "find: {W: a.work.rope from s to e}\n"
         )
