@@ -223,6 +223,9 @@ class OfBodies(AtInstant, frozen=True):
         touched = next((item.touches() for item in acting if item.name == wanted), ())
         if touched and path.owner not in {ref.owner for ref in touched}:
             raise NotYet(f"`{wanted}` does not act on `{path.owner}`")
+        if touched and not forces and not couples and joined(path.owner, self.instant):  # within what is joined
+            help = f"ask for what it does itself, such as `{wanted}.force`"
+            raise NotYet(f"what `{wanted}` does to `{path.owner}` alone is not solved yet", help=help)
         return forces, couples
 
     def force(self, path: Path, term: Term | None) -> Meant:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cmp_to_key
 from itertools import pairwise
 
@@ -101,10 +102,11 @@ class Beside(Struct, frozen=True):
     def _closed(self, root: Certified, exact: list[Formula], period: Formula | None) -> Formula:
         """The closed form of a zero, whole periods later where the motion swings."""
         for form in exact:
-            periods = 0 if period is None else round((root.float - self.number(form)) / self.number(period))
-            whole = form if period is None else form + periods * period
-            if self.ball(whole).overlaps(root.refine(FIGURES)):
-                return simplify(whole)
+            with suppress(Undefined):  # a root that is no real number
+                periods = 0 if period is None else round((root.float - self.number(form)) / self.number(period))
+                whole = form if period is None else form + periods * period
+                if self.ball(whole).overlaps(root.refine(FIGURES)):
+                    return simplify(whole)
         raise NotYet("the moment at which it changes its sign has no closed form")
 
 

@@ -30,6 +30,10 @@ RATE_OF = {"rotation": "angular_velocity", "displacement": "velocity"}  # of wha
 def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
     """Work over time for a power, the change over time for a rate, else ∫ Q dt/t; by a turn or a way ∫ Q dθ/θ."""
     by = term.by if isinstance(term.by, Path) else None
+    intervals = scene.configuration.timeline.between(start, end)
+    phases = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
+    if not phases:
+        raise NotYet(f"no time passes over which `{path_text(term.path)}` could have a mean")
     over, section = spanned(Term(by or Path("", "time")), start, end, scene)
     kind, word = QUANTITIES[term.path.quantity], spoken(term.path.quantity)
     label = f"mean {word}" + ("" if by is None else f" by the {by.quantity} of {spoken(by.owner)}")
@@ -38,18 +42,14 @@ def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside
         vector = None if known.vector is None else known.vector.times(ONE / over.formula)
         quotient = known.formula / over.formula
         return Meaning(quotient, kind.dimension, vector, label=label, laws=known.laws, plain=True), section
-    intervals = scene.configuration.timeline.between(start, end)
-    phases = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
     check_one_way(term.path, phases, scene)
     whole = total([summed_up(term, by, passage, scene) for passage in phases])
     return Meaning(whole / over.formula, kind.dimension, label=label, plain=True), section
 
 
 def check_one_way(path: Path, phases: Sequence[Passage], scene: SceneEquations) -> None:
-    """Some time passes; and what is told by its size and a word for its direction points one way all the time."""
+    """What is told by its size and a word for its direction points one way all the time."""
     said = path_text(path)
-    if not phases:
-        raise NotYet(f"no time passes over which `{said}` could have a mean")
     found = [scene.reader(phase.start.state).meaning(path) for phase in phases]
     ways = {meaning.words[0] for meaning in found if meaning.formula != ZERO}
     if path.quantity == "friction_force" and len(ways) > 1:
@@ -73,6 +73,10 @@ def summed_elsewhere(term: Term, start: str, end: str, scene: SceneEquations, be
     summed = MEAN_OF.get(term.path.quantity)
     if summed is None:
         return None
+    item = scene.configuration.connection(term.path.owner, start)
+    if item is not None and summed in RATE_OF and summed not in item.quantities:
+        help = "ask for that of the body that it holds"
+        raise NotYet(f"the mean of `{path_text(term.path)}` is not solved yet", help=help)
     path, modifier = replace(term.path, quantity=summed), "change of" if summed.endswith("velocity") else ""
     try:
         return meaning_of(replace(term, path=path, modifier=modifier, start=start, end=end), scene, beside)[0]

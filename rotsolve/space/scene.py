@@ -241,7 +241,9 @@ class SpaceEquations(SceneEquations, dict=True):
         if found is not None or not names:
             return found
         key = key_of(names[0])
-        moment = next(laws.moment for laws in self.dynamics.values() if laws.moment.when == key.when)
+        moment = next((laws.moment for laws in self.dynamics.values() if laws.moment.when == key.when), None)
+        if moment is None:  # of what goes on in time
+            return None
         hinged = self.held.main(key.owner) is not None
         return Fault(moment.lost(key.owner), help=ANGLE_HELP.format(key.owner) if hinged else STANDING_HELP)
 

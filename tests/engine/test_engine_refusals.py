@@ -456,3 +456,51 @@ def test_the_work_on_a_body_of_what_acts_on_several_is_refused() -> None:
             "connections: {pin: {axle: wheel}, rope: {string: [a, wheel, b]}}\nstates: {s: at rest, e: {b.displacement: 1 m}}\n"
             "find: {W: a.work.rope from s to e}\n"
         )
+
+
+def test_what_a_weld_does_to_one_of_two_alone_is_no_nothing() -> None:
+    text = (
+        "title: welded\nbodies: {one: {shape: rod, mass: 2 kg, length: 1 m}, two: {shape: rod, mass: 1 kg, length: 60 cm}}\n"
+        "connections: {pin: {hinge: one.start}, bolt: {weld: [one.end, two.start]}}\n"
+        "states: {now: {one.angle: 0, two.angle: 90 deg, one.angular_velocity: -2 rad/s}}\nfind: {q: QUESTION}\n"
+    )
+    for question in ("two.force.bolt", "two.torque.bolt", "one.power.bolt"):
+        with pytest.raises(Unsolvable, match=r"what `bolt` does to `(one|two)` alone is not solved yet"):
+            solve(text.replace("QUESTION", question))
+
+
+def test_means_over_no_time_and_of_what_has_no_turn_of_its_own() -> None:
+    struck = STRUCK_BLOCK.format(
+        event="hit: {impulse: 4 N s, on: b, direction: right, from: s, to: a}",
+        question="q: mean b.velocity from s to a",
+    )
+    with pytest.raises(Unsolvable, match=r"no time passes over which `b\.velocity` could have a mean"):
+        solve("title: struck" + struck)
+    with pytest.raises(Unsolvable, match=r"the mean of `ax\.angular_velocity` is not solved yet"):
+        solve(
+            "title: wheel\nbodies: {w: {inertia: 2 kg m^2}}\nconnections: {ax: {axle: w}}\nactions: {mot: {couple: 3 N m, on: w}}\n"
+            "states: {s: at rest, a: {time: 2 s}}\nfind: {q: mean ax.angular_velocity from s to a}\n"
+        )
+
+
+def test_a_rate_without_a_zero_has_its_least_energy_between_the_ends() -> None:
+    """v = 5 − t + 3 t²/4 has no zero, and is least at t = 2/3 s."""
+    found = solve(
+        "title: pulled\nsurfaces: {floor: level}\nbodies: {b: {mass: 2 kg, moves: right}}\nconnections: {base: {contact: [b, floor]}}\n"
+        "given: {c: 3 N/s, F: 2 N}\nactions: {pull: {force: c*time - F, on: b, direction: right}}\n"
+        "states: {s: {b.velocity: 5 m/s}, e: {time: 2 s}}\nfind: {K: smallest b.kinetic_energy from s to e}\n"
+    )
+    assert found["K"].float == pytest.approx((5 - 1 / 3) ** 2)
+
+
+def test_the_way_of_a_contact_in_a_blow_and_a_swing_in_space_at_any_time_are_no_internal_errors() -> None:
+    struck = STRUCK_BLOCK.format(
+        event="hit: {impulse: 4 N s, on: b, direction: right, from: s, to: a}",
+        question="q: base.displacement during hit",
+    )
+    assert solve("title: struck" + struck)["q"].float == 0
+    with pytest.raises(Unsolvable, match="`v` is not solved by these laws"):
+        solve(
+            "title: swing\nup: z\nbodies: {rod: {shape: rod, mass: 2 kg, length: 1 m}}\nconnections: {pin: {hinge: rod.start, along: y}}\n"
+            "states: {s: {rod.angle: 0 deg, rod.angular_velocity: 0 rad/s}, e: {rod.angle: 90 deg}}\nfind: {v: rod.speed at any time}\n"
+        )

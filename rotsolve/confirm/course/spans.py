@@ -45,6 +45,8 @@ def displaced(span: Between, term: Term) -> Reckoned:
     first, last = span.ends
     if path.owner not in first.model.seats and (item := on_side(path.owner, first.model)) is not None:
         return span.sum(lambda at: gone_down(item, at.pose, at.model).rate)
+    if path.owner not in first.model.seats:
+        raise NotConfirmed(f"the displacement of `{path.owner}`")
     pairs = [(first, last), *((met, before) for before, met in span.course.brought(span.start, span.end))]
     way = (0.0, 0.0)
     for pair in pairs:
