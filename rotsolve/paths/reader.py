@@ -374,9 +374,12 @@ class PathReader(AtInstant, frozen=True):
         return self.facts().bodies
 
     def angular_momentum(self, path: Path, about: PointRef | None) -> Formula | None:
-        """Σ (I ω + r × m v) about a point, or about the axis that all have in common; along the first one's positive turn."""
+        """Σ (I ω + r × m v) about a point, or about the axis that all have in common; along the positive turn of the first of
+        the scene, the same at every state, whatever it has been joined to."""
         bodies = self._off_shafts(path)
-        sense = next((body.motion.sense for body in bodies if body.motion.turns), 1)
+        turning = {body.name for body in bodies if body.motion.turns}
+        names = (body.name for body in self.instant.configuration.problem.bodies)
+        sense = next((self.instant.sense(name) for name in names if self.instant.host(name) in turning), 1)
         axes = {body.axis for body in bodies}
         if (
             about is None

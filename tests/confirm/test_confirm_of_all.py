@@ -51,3 +51,17 @@ def test_wheels_that_turn_the_same_way_add_up() -> None:
 def test_turns_that_are_counted_differently_are_not_confirmed() -> None:
     page = rotsolve.solve(WHEELS.format(sense="counterclockwise")).to()
     assert "count their turns differently" in page.replace("\n", " ") and "confirmed with numbers" not in page
+
+
+@pytest.mark.parametrize("clockwise", ["a", "b"])
+def test_bodies_that_count_their_turns_differently_have_one_sum(clockwise: str) -> None:
+    """2·1 one way and 3·0.5 the other: it counts along the first body's turn before and after they are joined."""
+    turns = {name: ", turns: clockwise" if name == clockwise else "" for name in "ab"}
+    found = solve(
+        "title: Coupled\nplane: horizontal\n"
+        f"bodies: {{a: {{inertia: 2 kg m^2{turns['a']}}}, b: {{inertia: 3 kg m^2{turns['b']}}}}}\nconnections: {{ax: {{axle: [a, b]}}}}\n"
+        "states: {s: {a.angular_velocity: 1 rad/s, b.angular_velocity: 0.5 rad/s}, e: {}}\n"
+        "events: {cpl: {joins: [a, b], from: s, to: e}}\n"
+        "find: {L: angular_momentum at s, L2: angular_momentum at e, dL: change of angular_momentum from s to e}\n"
+    )
+    assert [found[name].float for name in ("L", "L2", "dL")] == pytest.approx([0.5, 0.5, 0])
