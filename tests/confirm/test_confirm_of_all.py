@@ -57,7 +57,7 @@ def test_turns_that_are_counted_differently_are_not_confirmed() -> None:
 def test_bodies_that_count_their_turns_differently_have_one_sum(clockwise: str) -> None:
     """2·1 one way and 3·0.5 the other: it counts along the first body's turn before and after they are joined."""
     turns = {name: ", turns: clockwise" if name == clockwise else "" for name in "ab"}
-    found = solve(
+    found = rotsolve.solve(
         "title: Coupled\nplane: horizontal\n"
         f"bodies: {{a: {{inertia: 2 kg m^2{turns['a']}}}, b: {{inertia: 3 kg m^2{turns['b']}}}}}\nconnections: {{ax: {{axle: [a, b]}}}}\n"
         "states: {s: {a.angular_velocity: 1 rad/s, b.angular_velocity: 0.5 rad/s}, e: {}}\n"
