@@ -276,17 +276,7 @@ class Model:
             one, two = (line(name, self) for name in pair)
             if one is None or two is None or abs(one[0] * two[1] - one[1] * two[0]) > 1e-9:
                 found |= set() if lying & set(pair) else set(pair) - self._borne(pair)
-        return frozenset(found | self._welded_aside(lying))
-
-    def _welded_aside(self, lying: set[str]) -> set[str]:
-        """Bodies welded to one that turns and that nothing leads: which way they say that they move, the two do not go."""
-        found = set[str]()
-        for item in self.acting.connections:
-            for ref, other in permutations(item.joined(), 2):
-                free = line(other.owner, self) is None and not {ref.owner, other.owner} & {*lying, *self.held}
-                if free and self.turns(other.owner):
-                    found.add(ref.owner)
-        return found
+        return frozenset(found)
 
     def _borne(self, pair: tuple[str, str]) -> set[str]:
         """The one of two that do not turn which travels on the level, where the ground bears it and what has fallen on it."""

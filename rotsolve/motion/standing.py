@@ -388,14 +388,6 @@ class Standing(Struct, frozen=True, dict=True):
         still = [state.name for state in configuration.timeline.states if not configuration.can_turn(name, state.name)]
         return self.never_turns(name) and not any(configuration.mentions.says(state, name, "angle") for state in still)
 
-    def turned_unseen(self, name: str) -> bool:
-        """Whether a body may have turned since it was drawn, and its angle is not looked at."""
-        configuration = self.configuration
-        before = configuration.timeline.intervals[: configuration.timeline.order.get(self.state, 0)]
-        if all(interval.event is not None for interval in before) or self.angle(name) is not None:
-            return False
-        return configuration.pivot(name, self.state) is not None or configuration.can_turn(name, self.state)
-
     def never_turns(self, name: str) -> bool:
         """Whether a body slides along a line and does not turn."""
         return self.travels_on_line(name) and not self.configuration.can_turn(name, self.state)

@@ -8,7 +8,6 @@ from rotsolve.algebra.formula import ZERO, add, divide, sqrt
 from rotsolve.core.facts import Motion, Whirl, signed, square
 from rotsolve.core.quantity import INSIDE, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
-from rotsolve.elements.shapes import fixed_in
 from rotsolve.language.problem import Path, PointRef
 from rotsolve.paths.meaning import (
     NATURAL,
@@ -60,15 +59,8 @@ class OfPoints(AtInstant, frozen=True):
             if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns and arm.parts
             else ""
         )
-        aside = path.quantity == "speed" or self._turned_unseen(path)  # a speed points nowhere
-        shown = None if aside else vector
+        shown = None if path.quantity == "speed" else vector  # a speed points nowhere
         return Meaning(vector_size(vector), dimension, shown, remark, label)
-
-    def _turned_unseen(self, path: Path) -> bool:
-        """Whether a point has gone round with its body since that was drawn, by an angle at which nothing looks."""
-        own, name = PointRef(path.owner, path.point or "cm", path.argument), self.instant.host(path.owner)
-        turns = fixed_in(own, self.instant.body(path.owner)) == own and bool(self._arm(path).parts)
-        return turns and self.instant.turned_unseen(name)
 
     def _round_shaft(self, path: Path, motion: Motion, whirl: Whirl, arm: Vector) -> Meaning:
         """Speed √(v² + (Ω x)²) on a turning shaft, v in the picture; while the body is steady in it a = Ω² x towards the shaft."""

@@ -245,7 +245,12 @@ CLAIMS = [
     ("hoop", "a", "g (sin β - μ cos β) if μ < ½ tan β; ½ g sin β if μ ≥ ½ tan β", "right 1"),
     ("hoop", "a", "a = g (sin β - μ cos β) if μ < ½ tan β; a = ½ g sin β otherwise", "right 1"),
     ("hoop", "a", "½ g sin β if μ < ½ tan β; g (sin β - μ cos β) otherwise", "wrong 0"),
-    ("hoop", "a", "½ g sin β if it rolls", "can't decide 0 | unknown name `if`; did you mean `f`?"),
+    (
+        "hoop",
+        "a",
+        "½ g sin β if it rolls",
+        "partly right 1/2 | right if μ ≥ ½ tan β; if μ < ½ tan β it is g (sin β − μ cos β) | `if it rolls` is passed over",
+    ),
     ("wheel", "phi", "I (u - w)²/(2q) if 0 < w < u", "right 1 | right if u > w; if u ≤ w it is −I (u − w)²/(2 q)"),
     ("wheel", "phi", "I (u - w)²/(2q) if u < w", "wrong 0 | right if u > w"),
     ("wheel", "K", "I (u - w)²/2 if u > w", "right 1 | right, and without its condition too"),
