@@ -196,7 +196,7 @@ def work_of_one(path: Path, passage: Passage, interval: str, scene: SceneEquatio
     acted = [body.name for body in passage.midst.bodies if any(item.owner == name for item in body.acting)]
     instant = scene.instant(passage.start.state)
     if acted != [instant.host(path.owner)] or joined(path.owner, instant):
-        help = f"ask for `{name}.work`, which is that on all that it touches, or for `{path.owner}.work.{NET}`"
+        help = f"ask for `{name}.work`, which is that on all that it touches"
         raise NotYet(f"the work of `{name}` on `{path.owner}` alone is not solved yet", help=help)
     return work_done(Path(name, "work"), interval, scene)
 
