@@ -40,9 +40,6 @@ class Slope(Surface, frozen=True):
     def tilt(self) -> Formula | None:
         return self.slope
 
-    def low_side(self) -> str:
-        return self.down
-
     def bearer(self) -> str:
         return self.of or ""
 

@@ -153,10 +153,6 @@ class Surface(Element, frozen=True):
         """The angle of a slope to the level."""
         return None
 
-    def low_side(self) -> str:
-        """The side to which it falls, "left" or "right"; '' of what falls to none."""
-        return ""
-
     def bearer(self) -> str:
         """The body of which it is a side; '' of what does not move."""
         return ""

@@ -11,8 +11,8 @@ from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.language.problem import Find, PointRef, Problem
 
-SIZE, SLOPE = "size of", "the slope"
-ACROSS = {"left": "right", "right": "left"}
+SIZE = "size of"
+SIDES = ("left", "right")
 
 
 def sized_direction(letters: SceneLetters, find: Find) -> str:
@@ -39,18 +39,14 @@ def directions_there(letters: SceneLetters, find: Find) -> Iterator[str]:
 
 
 def level_side(problem: Problem, find: Find, direction: str) -> str:
-    """Where a direction up or down a slope leads on the level: "right", "left"; '' for any other direction."""
-    way, _, where = direction.partition(" ")
-    if where != SLOPE or way not in ("up", "down"):
-        return ""
+    """Where a direction along a slope leads on the level: "right", "left", as the surface says; '' for any other direction."""
     owner = find.terms[0].path.owner if find.terms else ""
-    slopes = {surface.name: side for surface in problem.surfaces if (side := surface.low_side())}
+    slopes = {surface.name: surface for surface in problem.surfaces if surface.slanted}
     touched = {
         name for one in problem.connections if owner in (held := owners_in(one)) for name in held & slopes.keys()
     }
-    sides = {slopes[name] for name in touched or slopes}
-    down = sides.pop() if len(sides) == 1 else ""
-    return ACROSS.get(down, "") if way == "up" else down
+    sides = {side for name in touched or slopes for side in SIDES if slopes[name].travel(side)[1] == direction}
+    return sides.pop() if len(sides) == 1 else ""
 
 
 def owners_in(connection: object) -> frozenset[str]:
